@@ -47,6 +47,10 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     {
         return true;
     }
+    // The wall is pushed as hard as the sphere, but the other way.
+    if asked.of_its_impact() != Quantity::ImpulseMagnitude && ["on the wall", "on wall"].contains(&remark) {
+        return true;
+    }
     let of_relative_motion = |word: &str| matches!(word, "separation" | "approach");
     let is_either = asked == Quantity::Restitution || is_named_by_its_own(asked, remark);
     if !is_either && words(remark).any(of_relative_motion) {

@@ -9,6 +9,9 @@ use super::units::unit;
 use super::{SaidUnit, Vocabulary};
 use crate::expr::Expr;
 
+/// A unit has no more tokens: `kg m s^(-1)`.
+const LONGEST_UNIT: usize = 8;
+
 impl Walk<'_> {
     /// `(nearest degree)`, `to the nearest tenth of a degree`: the token after it.
     fn nearest_degree(&self, at: usize) -> Option<usize> {
@@ -79,6 +82,19 @@ impl Walk<'_> {
             1 => is(end, ')').then(|| end + 1 + usize::from(is(end + 1, ':'))),
             _ => is(end, ':').then_some(end + 1),
         }
+    }
+
+    /// `24 N s (equal and opposite)`: what is always so of the impulses on two bodies; the token after it.
+    pub(super) fn equal_and_opposite(&self, at: usize) -> Option<usize> {
+        let next = self.any(at, &["equal and opposite", "equal but opposite"])?;
+        let before = at.checked_sub(1)?;
+        let is_parted = self.tokens[before].is('(') || self.tokens[before].is(',');
+        let end = if is_parted { before } else { at };
+        let is_impulse = |from: usize| {
+            unit(self.tokens, from, "").is_some_and(|(unit, next)| next == end && unit.dimension == [1, 1, -1, 0])
+        };
+        let is_last = !self.tokens[next..].iter().any(|placed| matches!(placed.token, Token::Number(_)));
+        (is_last && (1..end).rev().take(LONGEST_UNIT).any(is_impulse)).then_some(next)
     }
 
     /// `eqn 2`, `from (1)`, `in equation (1)`: which equation is meant; the token after it.

@@ -51,6 +51,10 @@ impl Walk<'_> {
             let on_it = || Some((Line::Centres, centres::on_it(|at| self.word(at), next)?));
             let axis = || self.axis(next).filter(|_| relation == Relation::Angle);
             if let Some((line, end)) = self.line(next).or_else(|| self.line(named()?)).or_else(on_it).or_else(axis) {
+                // `24 N s on the wall`: what it acts on.
+                if line == Line::Tangent && self.words(at, "on").is_some() && self.is_wall(next) {
+                    return Ok(Some((Phrase::Remark, end)));
+                }
                 // `in the direction AB` has a sense, and `parallel to AB` has none.
                 let line = match line {
                     Line::Ab if self.any(at, &["in direction", "direction of"]).is_some() => Line::AToB,
@@ -100,7 +104,7 @@ impl Walk<'_> {
                 return Ok(Some((Phrase::Across, self.article(next))));
             }
             if relation == Relation::Angle
-                && let Some(end) = self.unknown_line(next)
+                && let Some(end) = self.unknown_line(next).or_else(|| self.vector_of_angle(at, next))
             {
                 let place = self.tokens[end].start;
                 return Err(Unreadable::Sign(
@@ -349,6 +353,22 @@ impl Walk<'_> {
             || lexicon::is_sphere(self.typed(noun))
             || names::is_made_of_letters(self.typed(noun), self.vocabulary);
         (!harmless || matches!(word, "horizontal" | "vertical")).then_some(noun)
+    }
+
+    /// `78.7° to the vector 2i + j`: where the vector begins from which the angle before is measured.
+    fn vector_of_angle(&self, at: usize, next: usize) -> Option<usize> {
+        let start = self.of_a_vector(next);
+        let is_unit =
+            |placed: &Placed| matches!(&placed.token, Token::Word(word) if matches!(word.as_str(), "i" | "j"));
+        let ends = |placed: &Placed| matches!(placed.token, Token::Sign(',' | ';' | '\n' | '=' | '⇒'));
+        let after_angle = at > 0 && self.tokens[at - 1].is('°');
+        let mut vector = self.tokens.get(start..)?.iter().take_while(|placed| !ends(placed));
+        (after_angle && self.vocabulary.vectors && self.is_formula(start) && vector.any(is_unit)).then_some(start)
+    }
+
+    /// Is it the wall itself that is named, and not its line or its direction?
+    fn is_wall(&self, at: usize) -> bool {
+        self.any(self.article(at), &["wall", "smooth wall", "vertical wall"]).is_some()
     }
 
     /// `B's path`, `the way that it was going`, `velocity of B`, where no value follows: some line, but which?

@@ -7,7 +7,7 @@ use super::units;
 use super::vectors::rational;
 use super::{SaidUnit, Unreadable, Vocabulary};
 use crate::expr::{Expr, Function};
-use crate::number::{Fraction, Places, round};
+use crate::number::Fraction;
 
 /// Deeper nesting than any answer has.
 const DEEPEST: usize = 40;
@@ -254,29 +254,6 @@ impl<'a> Parser<'a> {
     pub(super) fn in_degrees(&self, expr: Expr) -> Expr {
         let is_angle = matches!(&expr, Expr::Name(name) if self.is_angle(&name.text));
         if is_angle { expr } else { Expr::degrees(expr) }
-    }
-
-    /// So many degrees, with minutes and seconds of arc if they follow: `46°6′7″`. A minute is measured about as finely as
-    /// two decimals are, a second as four.
-    fn minutes(&mut self, degrees: Expr) -> Parsed {
-        let Expr::Number(mut total) = degrees else { return Ok(self.in_degrees(degrees)) };
-        let mut places = None;
-        for (mark, share, decimals) in [('\'', 60, 2), ('"', 3600, 4)] {
-            let is_mark = match self.token(1) {
-                Some(Token::Sign(sign)) => *sign == mark,
-                Some(Token::Word(word)) => mark == '\'' && matches!(word.as_str(), "min" | "mins" | "minutes"),
-                _ => false,
-            };
-            if let Some(Token::Number(Expr::Number(count))) = self.token(0)
-                && is_mark
-            {
-                total = &total + &(count * &Fraction::new(1, share));
-                places = Some(Places::DecimalPlaces(decimals));
-                self.at += 2;
-            }
-        }
-        let rounded = places.map(|places| Expr::Decimal(round(&total, &places).to_string()));
-        Ok(Expr::degrees(rounded.unwrap_or(Expr::Number(total))))
     }
 
     /// The text from a token up to what has been read.

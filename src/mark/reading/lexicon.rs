@@ -74,7 +74,7 @@ pub(super) const COMPARISONS: [&str; 9] =
     ["than", "less", "more", "under", "over", "negative", "opposite", "zero", "nought"];
 
 /// Words that stand for signs or functions, and these.
-pub(super) const SIGNS: [(&str, &str); 96] = [
+pub(super) const SIGNS: [(&str, &str); 102] = [
     ("times", "*"),
     ("lots of", "*"),
     ("multiplied by", "*"),
@@ -138,6 +138,12 @@ pub(super) const SIGNS: [(&str, &str); 96] = [
     ("at most", "≤"),
     ("no more than", "≤"),
     ("not more than", "≤"),
+    ("neither less than", "≥"),
+    ("nor more than", ",≤"),
+    ("nor greater than", ",≤"),
+    ("and nor more than", ",≤"),
+    ("nor less than", ",≥"),
+    ("neither more than", "≤"),
     ("no greater than", "≤"),
     ("no bigger than", "≤"),
     ("no larger than", "≤"),
@@ -210,7 +216,7 @@ const SINGLE: [(Sort, &str); 9] = [
     ),
     (
         Sort::Plain,
-        "maximum max possible all valid range inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
+        "maximum max possible all anything valid range inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel par para perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \

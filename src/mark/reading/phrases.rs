@@ -40,6 +40,8 @@ pub(super) enum Phrase {
     OrMore,
     /// `but not including`: what follows is no part of a range.
     Excluding,
+    /// `(not included)`: is the end before it part of its range?
+    End { included: bool },
     /// `is`
     Is,
     /// `of`, `the`, `both move to the right`
@@ -93,9 +95,10 @@ pub(super) fn with_phrases(
             continue;
         }
         let remark = accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at));
+        let remark = remark.or_else(|| walk.equal_and_opposite(at));
         let found = match remark.or_else(|| walk.meeting(at)) {
             Some(next) => Some((Phrase::Remark, next)),
-            None => walk.phrase(at)?,
+            None => walk.end_told(at).map_or_else(|| walk.phrase(at), |found| Ok(Some(found)))?,
         };
         after_words = matches!(found, Some((Phrase::Remark | Phrase::Noun | Phrase::Sphere | Phrase::Unknown, next))
             if tokens[at..next].iter().all(|placed| matches!(placed.token, Token::Word(_))));
@@ -250,6 +253,9 @@ impl Walk<'_> {
         {
             return Ok(Some(found));
         }
+        if let Some(next) = self.no_further_end(at) {
+            return Ok(Some((Phrase::Remark, next)));
+        }
         let sort = lexicon::sort(word);
         // `2ke` is a product, and no energy.
         if touches && sort == Some(Sort::Noun) && word.len() == 2 && self.typed(at) == word {
@@ -318,17 +324,6 @@ impl Walk<'_> {
         };
         let Some(reason) = (1..at).rev().find(is_reason) else { return false };
         !self.tokens[reason..].iter().any(|placed| matches!(placed.token, Token::Number(_) | Token::Root { .. }))
-    }
-
-    /// `or less`, after which nothing more is said; `but not including`.
-    fn end_of_range(&self, at: usize) -> Option<(Phrase, usize)> {
-        if let Some(next) = self.any(at, &wording::EXCLUDING) {
-            return Some((Phrase::Excluding, next));
-        }
-        let ends = |next: &usize| self.tokens.get(*next).is_none_or(|after| !matches!(after.token, Token::Word(_)));
-        let less = || Some((Phrase::OrLess, self.any(at, &wording::OR_LESS).filter(ends)?));
-        let more = || Some((Phrase::OrMore, self.any(at, &wording::OR_MORE).filter(ends)?));
-        less().or_else(more)
     }
 
     pub(super) fn typed(&self, at: usize) -> &str {

@@ -1,6 +1,6 @@
 //! Ranges of values without inequality signs: `(1/3, 1]`, `]1/3, 1]`, `{e : e > 1/3}`, `between 2 and 3`, `more than 2`.
 
-use super::choices::Doubt;
+use super::choices::{Choices, Doubt};
 use super::inequalities::has_inequality;
 use super::phrases::Phrase;
 use super::statements::Statements;
@@ -168,29 +168,17 @@ impl Statements<'_> {
         let Some(joint) = words.iter().position(|word| word == joiner).filter(|joint| *joint > lead) else {
             return Ok(None);
         };
-        let is_word = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
-        let whole = excluding.unwrap_or(tokens.len());
-        let after = whole - tokens[..whole].iter().rev().take_while(is_word).count();
-        if after <= joint {
-            return Ok(None);
-        }
-        // Numbers alone: `the line between A and B` is none. `from 1/3 up to 1`
-        let up = usize::from(words[joint - 1] == "up");
-        let (low, high) = (&tokens[lead + 1..joint - up], &tokens[joint + 1..after]);
-        let (Ok(low), Ok(high)) = (self.scalar(low), self.scalar(high)) else { return Ok(None) };
-        let excluded = excluding.map(|at| self.scalar(&tokens[at + 1..])).transpose()?;
+        let Some(span) = Span::around(tokens, words[joint - 1] == "up", lead + 1, joint) else { return Ok(None) };
+        // Numbers alone: `the line between A and B` is none.
+        let (Ok(low), Ok(high)) = (self.scalar(span.low.0), self.scalar(span.high.0)) else { return Ok(None) };
         let name = tokens[..lead].iter().take_while(is_letter).count();
         if tokens[name..lead].iter().any(|placed| !is_word(&placed)) {
             return Ok(None);
         }
         let label = self.called(&tokens[..name]);
-        let beside = [&words[name..lead], &words[after..whole]].concat();
-        // Where one end is left out, the other is not.
-        let end = |at: Expr| {
-            let included = excluded.as_ref().map(|excluded| *excluded != at);
-            Some(End { at, included })
-        };
-        Ok(Some((label, said(end(low), end(high), beside))))
+        let beside = [&words[name..lead], &words[span.beside.clone()]].concat();
+        let excluded = span.excluded.map(|excluded| self.scalar(excluded)).transpose()?;
+        Ok(Some((label, span.range(low, high, excluded.as_ref(), beside))))
     }
 
     /// What a range is called by the letters before it, if any are.
@@ -198,23 +186,25 @@ impl Statements<'_> {
         (!name.is_empty()).then(|| Label { typed: self.plain_name(name), expr: self.named(name) })
     }
 
-    /// `2/3 to 1`, `e = 2/3 to 1`: numbers alone, which may be two values as well.
+    /// `2/3 to 1`, `e = 2/3 to 1`: numbers alone, which may be two values as well; those of `2/3 up to 1` and `2/3 (not included)
+    /// to 1` are none.
     fn one_to_another(&mut self, tokens: &[Placed], words: &[String]) -> Option<(Option<Label>, Said)> {
         let joint = words.iter().position(|word| word == "to").filter(|joint| *joint > 0)?;
         let name = tokens.iter().take_while(is_letter).count();
         let lead = tokens.get(name).filter(|sign| name > 0 && is_any(sign, &['=', ':']));
         let (name, low) = if lead.is_some() { (&tokens[..name], name + 1) } else { (&tokens[..0], 0) };
-        let is_word = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
-        let after = tokens.len() - tokens[joint + 1..].iter().rev().take_while(is_word).count();
-        let (low, high) = (&tokens[low..joint.max(low)], &tokens[joint + 1..after]);
+        let is_up_to = words[joint - 1] == "up";
+        let span = Span::around(tokens, is_up_to, low, joint)?;
         let begins = |side: &[Placed]| matches!(side.first().map(|first| &first.token), Some(Token::Number(_)));
-        if !begins(low) || !begins(high) || !self.choices.otherwise(Doubt::To, tokens[joint].start) {
+        let is_range = || is_up_to || span.tells_an_end();
+        let is_likely = |choices: &mut Choices| is_range() || choices.otherwise(Doubt::To, tokens[joint].start);
+        if !begins(span.low.0) || !begins(span.high.0) || !is_likely(self.choices) {
             return None;
         }
-        let (low, high) = (self.scalar(low).ok()?, self.scalar(high).ok()?);
-        let end = |at: Expr| Some(End { at, included: None });
-        let label = self.called(name);
-        Some((label, said(end(low), end(high), words[after..].to_vec())))
+        let (low, high) = (self.scalar(span.low.0).ok()?, self.scalar(span.high.0).ok()?);
+        let excluded = span.excluded.map(|excluded| self.scalar(excluded)).transpose().ok()?;
+        let beside = words[span.beside.clone()].to_vec();
+        Some((self.called(name), span.range(low, high, excluded.as_ref(), beside)))
     }
 
     /// `e is 0.8 or less`: what it is called, and the range.
@@ -229,6 +219,62 @@ impl Statements<'_> {
         let (low, high) = if above { (end, None) } else { (None, end) };
         Ok((label, said(low, high, remarks)))
     }
+}
+
+/// The two ends of a range in words.
+struct Span<'t> {
+    /// An end, and whether words behind it tell that it belongs to the range.
+    low: (&'t [Placed], Option<bool>),
+    high: (&'t [Placed], Option<bool>),
+    /// Where the words behind them stand.
+    beside: std::ops::Range<usize>,
+    /// What is said not to belong to it.
+    excluded: Option<&'t [Placed]>,
+}
+
+impl<'t> Span<'t> {
+    /// What stands before and behind the word that joins two ends; before it stands `up` too, or not.
+    fn around(tokens: &'t [Placed], is_up_to: bool, start: usize, joint: usize) -> Option<Span<'t>> {
+        let excluding = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Excluding));
+        // `from 1/3 up to but not including 1`
+        let is_open_above = excluding == Some(joint + 1);
+        let excluding = excluding.filter(|_| !is_open_above);
+        let whole = excluding.unwrap_or(tokens.len());
+        let from = joint + 1 + usize::from(is_open_above);
+        let high = tokens.get(from..whole)?;
+        let after = whole - high.iter().rev().take_while(is_word).count();
+        let low = end_and_told(tokens.get(start..joint - usize::from(is_up_to))?);
+        let (high, told) = end_and_told(&tokens[from..after]);
+        let high = (high, told.or(is_open_above.then_some(false)));
+        Some(Span { low, high, beside: after..whole, excluded: excluding.map(|at| &tokens[at + 1..]) })
+    }
+
+    fn tells_an_end(&self) -> bool {
+        self.low.1.is_some() || self.high.1.is_some() || self.excluded.is_some()
+    }
+
+    /// The range from the one end to the other. Where one is left out, the other is not.
+    fn range(&self, low: Expr, high: Expr, excluded: Option<&Expr>, beside: Vec<String>) -> Said {
+        let is_in = |at: &Expr, told: Option<bool>| excluded.map(|excluded| excluded != at).or(told);
+        let told = [is_in(&low, self.low.1), is_in(&high, self.high.1)];
+        let beside_one_left_out = |other: Option<bool>| (other == Some(false)).then_some(true);
+        let low = End { at: low, included: told[0].or(beside_one_left_out(told[1])) };
+        let high = End { at: high, included: told[1].or(beside_one_left_out(told[0])) };
+        said(Some(low), Some(high), beside)
+    }
+}
+
+/// An end without the words that tell whether it belongs to the range, and what they tell.
+fn end_and_told(tokens: &[Placed]) -> (&[Placed], Option<bool>) {
+    match tokens {
+        [end @ .., Placed { token: Token::Phrase(Phrase::End { included }), .. }] => (end, Some(*included)),
+        _ => (tokens, None),
+    }
+}
+
+/// Words that say nothing of an end.
+fn is_word(placed: &&Placed) -> bool {
+    matches!(placed.token, Token::Phrase(phrase) if !matches!(phrase, Phrase::End { .. }))
 }
 
 fn is_letter(placed: &&Placed) -> bool {

@@ -19,8 +19,13 @@ pub(super) fn said_again(
     vocabulary: &Vocabulary,
     choices: &mut Choices,
 ) -> Option<usize> {
-    let after_value =
-        matches!(tokens[start - 1].token, Token::Number(_) | Token::Word(_) | Token::Sign(')' | '°' | '%' | '⟧'));
+    // `36°52' (36.9°)`
+    let is_end = |sign: char| matches!(sign, ')' | '°' | '%' | '⟧' | '\'' | '"');
+    let after_value = match tokens[start - 1].token {
+        Token::Number(_) | Token::Word(_) => true,
+        Token::Sign(sign) => is_end(sign),
+        _ => false,
+    };
     if !after_value {
         return None;
     }
@@ -70,7 +75,7 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
     let begins = |placed: &Placed| matches!(placed.token, Token::Phrase(_)) || parts(placed) || compares(placed);
     let stated = before.iter().rposition(begins).map_or(before, |at| &before[at + 1..]);
     let only_decimal = |tokens: &[Placed]| matches!(tokens, [Placed { token: Token::Number(Expr::Decimal(_)), .. }]);
-    let measure = matches!(tokens[start - 1].token, Token::Word(_) | Token::Sign('°' | '%'));
+    let measure = matches!(tokens[start - 1].token, Token::Word(_) | Token::Sign('°' | '%' | '\'' | '"'));
     let follows = |next: &Placed| match &next.token {
         // `0.5 \frac{1}{2} v` is a product.
         _ if closing == '⟧' => false,

@@ -3,8 +3,9 @@
 use super::Vocabulary;
 use super::characters::{CLOSE, OPEN};
 use super::choices::{Choices, Doubt};
+use super::degrees;
 use super::digits::{recurring_value, repeated};
-use super::lexicon::{BEFORE_A_NUMBER, SIGNS};
+use super::lexicon::{BEFORE_A_NUMBER, SIGNS, Sort, sort};
 use super::names;
 use super::number_words::{added_fraction, number_in_words};
 use super::tokens::{Placed, Token};
@@ -47,9 +48,13 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
         let standing = word(at).and_then(|word| {
             let initial = word.bytes().next().map(|byte| byte.to_ascii_lowercase());
             let begins = |words: &str| words.bytes().next() == initial;
-            let is_number = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)));
-            // `over 0.6` with nothing above it.
-            let is_below = |words: &str| words != "over" || out.is_empty();
+            // `above 1/3`, `above a third`
+            let is_number = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)))
+                || BEFORE_A_NUMBER.iter().any(|(words, _)| words.eq_ignore_ascii_case(word))
+                    && at + 1 < tokens.len()
+                    && number_in_words(&[], tokens, at + 1, vocabulary).is_some();
+            // `over 0.6`, `anything over 0.6`, with nothing above it.
+            let is_below = |words: &str| words != "over" || out.iter().all(says_nothing);
             let before_number = BEFORE_A_NUMBER.iter().filter(|(words, _)| is_number && is_below(words));
             // `k is positive`, `k positive`; in `1/2 (must be positive)` nobody says what, and `take positive` says it of a value.
             let after_name = matches!(out.last().map(|last| &last.token), Some(Token::Word(_) | Token::Greek(_)));
@@ -156,6 +161,15 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             at += 1;
             continue;
         }
+        if degrees::joins_minutes(tokens, at) {
+            at += 1;
+            continue;
+        }
+        if let Some(sign) = degrees::in_brackets(tokens, at) {
+            out.push(sign.clone());
+            at += 3;
+            continue;
+        }
         // `2.√13`: a point before a root is no decimal point.
         let root_next = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Root { .. }));
         let after_number = matches!(out.last().map(|last| &last.token), Some(Token::Number(_)));
@@ -251,6 +265,11 @@ fn lowered_exponent(tokens: &[Placed], at: usize) -> bool {
         && is_exponent
         && !exponent.spaced
         && ends
+}
+
+/// Is it a word that neither is a value nor names one?
+fn says_nothing(placed: &Placed) -> bool {
+    matches!(&placed.token, Token::Word(word) if sort(&word.to_lowercase()) == Some(Sort::Plain) && word.len() > 1)
 }
 
 /// Does a fraction, a decimal or a percentage end here, of which something may be taken?

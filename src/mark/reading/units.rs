@@ -56,7 +56,7 @@ const WORDS: [Known; 20] = [
     known(&["kilometre", "kilometres", "kilometer", "kilometers", "kms"], [0, 1, 0, 0], 1000, 1),
     known(&["centimetre", "centimetres", "centimeter", "centimeters", "cms"], [0, 1, 0, 0], 1, 100),
     known(&["millimetre", "millimetres", "millimeter", "millimeters"], [0, 1, 0, 0], 1, 1000),
-    known(&["newtonseconds", "newtonsecond", "nsec", "nsecs"], [1, 1, -1, 0], 1, 1),
+    known(&["newtonseconds", "newtonsecond", "nsec", "nsecs", "ns"], [1, 1, -1, 0], 1, 1),
     known(&["newtonmetres", "newtonmetre", "newtonmeters"], [1, 2, -2, 0], 1, 1),
     known(&["watt", "watts"], [1, 2, -3, 0], 1, 1),
 ];
@@ -202,7 +202,11 @@ impl Units<'_> {
     }
 
     fn dot(&mut self) {
-        let hyphen = self.sign(0) == Some('-') && self.word(1).is_some_and(|word| whole(word).is_some());
+        // `newton-seconds`, `N-s`
+        let before = self.at.checked_sub(1).map(|before| &self.tokens[before].token);
+        let after_newton = matches!(before, Some(Token::Word(word)) if word == "N");
+        let is_second = |word: &str| whole(word).is_some() || after_newton && word == "s";
+        let hyphen = self.sign(0) == Some('-') && self.word(1).is_some_and(is_second);
         self.at += usize::from(matches!(self.sign(0), Some('*' | '.')) || hyphen);
     }
 
@@ -216,9 +220,9 @@ impl Units<'_> {
     /// Symbols and their exponent, which belongs to the last.
     fn term(&mut self, sense: i8) -> Option<()> {
         let word = self.word(0)?.to_owned();
-        // `cms` is a plural, but in `cms-1` there is a second.
+        // `cms` is a plural and `Ns` an impulse, but in `cms-1` there is a second.
         let is_raised = matches!(self.sign(1), Some('^' | '-'));
-        let is_per_second = is_raised && matches!(word.as_str(), "cms" | "kms");
+        let is_per_second = is_raised && matches!(&*word, "cms" | "kms" | "Ns" | "NS");
         let (first, last): (Vec<&Known>, &Known) = match whole(&word).filter(|_| !is_per_second) {
             Some(known) => (Vec::new(), known),
             None => {

@@ -196,7 +196,7 @@ impl Values<'_> {
                 }
                 Ok(at + 1)
             }
-            Phrase::OrLess | Phrase::OrMore | Phrase::Excluding => {
+            Phrase::OrLess | Phrase::OrMore | Phrase::Excluding | Phrase::End { .. } => {
                 Err(Unreadable::Sign(tokens[at].start, "these words belong to a range".to_owned()))
             }
             // `7 bananas`: seven of what?

@@ -11,6 +11,11 @@ const DOTTED: [&str; 14] = [
     "n.l.i",
 ];
 
+/// Is it one of them, with or without its last full stop?
+pub(crate) fn is_dotted(word: &str) -> bool {
+    DOTTED.contains(&word.trim_end_matches('.').to_ascii_lowercase().as_str())
+}
+
 /// The longest run of letters that is read as one word.
 const LONGEST_WORD: usize = 40;
 

@@ -344,6 +344,16 @@ pub(super) const OR_LESS: [&str; 8] =
 pub(super) const OR_MORE: [&str; 9] =
     ["or more", "or above", "and above", "or over", "and over", "or higher", "or greater", "or larger", "and upwards"];
 
+/// Behind an end of a range that belongs to it, and behind one that does not.
+pub(super) const INCLUDED: [&str; 2] = ["included", "inclusive"];
+pub(super) const EXCLUDED: [&str; 4] = ["not included", "excluded", "exclusive", "not inclusive"];
+
+/// Beside a range that goes on upwards, and beside one that goes on downwards.
+pub(super) const NO_UPPER_END: [&str; 5] =
+    ["no upper limit", "no upper bound", "no maximum", "has no upper limit", "unbounded above"];
+pub(super) const NO_LOWER_END: [&str; 5] =
+    ["no lower limit", "no lower bound", "no minimum", "has no lower limit", "unbounded below"];
+
 /// Before an end that is no part of its range.
 pub(super) const EXCLUDING: [&str; 4] = ["not including", "but not including", "excluding", "but excluding"];
 
