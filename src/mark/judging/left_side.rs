@@ -167,7 +167,7 @@ fn is_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
             let is_of_speeds = |name: &String| name.starts_with(['v', 'u', 'w', 'V', 'x', 'y', 's', 'a']);
             distinct(above).iter().all(is_of_speeds) && distinct(below).iter().all(is_of_speeds) && count > 1
         }
-        (FractionLost, Expr::Quotient(above, _)) => is_difference(above),
+        (FractionLost, Expr::Quotient(above, below)) => is_difference(above) || is_loss_of_start(above, below),
         (FractionLost, Expr::Sum(_)) => count > 1 && is_difference(expr),
         (MassRatio | TanToLine(..) | TOverN(..) | TanToWall(..) | TanDeflection(_), Expr::Quotient(..)) => count > 1,
         (EnergyLost | SphereEnergyLost(_) | SphereEnergyGained(_) | Separation | Approach, _) => {
@@ -190,6 +190,19 @@ fn is_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
         }
         _ => false,
     }
+}
+
+/// `KE_lost/KE_before`, and not the other way round.
+fn is_loss_of_start(above: &Expr, below: &Expr) -> bool {
+    let (Expr::Name(above), Expr::Name(below)) = (above, below) else { return false };
+    let [above, below] = [above, below].map(|name| name.text.to_lowercase());
+    let is_energy = |name: &String| name.starts_with(['k', 'e', 't']);
+    let has = |name: &str, words: &[&str]| words.iter().any(|word| name.contains(word));
+    let is_start = has(&below, &moments::EARLIER) || has(&below, &["total", "_i", "_1"]);
+    [&above, &below].into_iter().all(is_energy)
+        && has(&above, &["lost", "loss"])
+        && is_start
+        && !has(&below, moments::AT_THE_END)
 }
 
 /// The one letter of the expression that the question does not give, if it can be what is asked.

@@ -38,6 +38,7 @@ mod ratio;
 mod said_twice;
 mod selection;
 mod sense;
+mod several;
 mod shown;
 mod sides;
 mod sorts;

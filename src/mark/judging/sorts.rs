@@ -1,5 +1,6 @@
 //! The words that the subject has for quantities, and which of them go with what is asked.
 
+use crate::mark::reading::is_dotted;
 use crate::mechanics::Quantity;
 
 /// What a name is the name of.
@@ -27,9 +28,13 @@ impl Sort {
     }
 }
 
-/// The words of a text.
+/// The words of a text; `k.e.` is one, without its last full stop.
 pub(super) fn words(label: &str) -> impl Iterator<Item = &str> {
-    label.split(|letter: char| !letter.is_alphanumeric())
+    let pieces = label.split(|letter: char| !letter.is_alphanumeric() && letter != '.');
+    pieces.flat_map(|piece| {
+        let (dotted, plain) = if is_dotted(piece) { (Some(piece.trim_end_matches('.')), "") } else { (None, piece) };
+        dotted.into_iter().chain(plain.split('.').filter(move |_| dotted.is_none()))
+    })
 }
 
 /// What a word is the name of.
@@ -42,14 +47,14 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
     match word.to_lowercase().as_str() {
         "speed" | "speeds" => Some(Sort::Speed),
         "velocity" | "velocities" | "vel" => Some(Sort::Velocity),
-        "ke" | "kinetic" | "energy" => Some(Sort::Energy),
+        "ke" | "k.e" | "kinetic" | "energy" => Some(Sort::Energy),
         "impulse" | "momentum" => Some(Sort::Impulse),
         "angle" | "angles" | "direction" => Some(Sort::Angle),
         "bearing" => Some(Sort::Bearing),
         "acceleration" | "work" | "distance" | "force" | "time" => Some(Sort::Unasked),
         "deflection" | "deflected" | "deflects" | "turned" | "turns" | "deviation" | "deviated" | "deviates"
         | "rotated" | "rotates" => Some(Sort::Deflection),
-        "restitution" | "cor" => Some(Sort::Restitution),
+        "restitution" | "cor" | "c.o.r" => Some(Sort::Restitution),
         "mass" => Some(Sort::Mass),
         _ => None,
     }
