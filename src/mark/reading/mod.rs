@@ -74,7 +74,7 @@ pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};
 pub use said::{End, Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 pub(crate) use second_thoughts::{is_in_place_of, is_second_thought};
-pub(crate) use tokens::greek;
+pub(crate) use tokens::{greek, greek_name};
 pub(crate) use word::is_dotted;
 
 use choices::{Choices, Flip};

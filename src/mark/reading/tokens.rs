@@ -97,6 +97,12 @@ pub(crate) fn greek(name: &str) -> Option<(char, &'static str)> {
     GREEK.iter().copied().find(|(_, known)| *known == name)
 }
 
+/// The name of a Greek letter that is typed as it is or by its name, `\lambda`.
+pub(crate) fn greek_name(typed: &str) -> Option<&'static str> {
+    let is_it = |(sign, name): &&(char, &str)| typed == *name || typed.chars().eq([*sign]);
+    GREEK.iter().find(is_it).map(|(_, name)| *name)
+}
+
 /// Is it the name of a Greek letter, in any case?
 pub(super) fn is_greek(word: &str) -> bool {
     GREEK.iter().any(|(_, name)| name.eq_ignore_ascii_case(word))

@@ -8,7 +8,7 @@ use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
 use super::impacts::{set_aside_of_others, short_of_law_or_step};
 use super::laws::ToBeSubtracted;
-use super::letters::undone;
+use super::letters::{is_used_anew, undone};
 use super::lines::{Line, ReadLine, Stated, set_aside_replaced};
 use super::prepared::Prepared;
 use super::theirs::{Theirs, own_values};
@@ -139,9 +139,10 @@ pub(super) fn examine_one(
 ) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
-    let mut read = lines::read(working, &question.letters, vectors);
-    letters::put_in_place(&mut read, &question.letters, prepared);
     let mut before = before.clone();
+    before.meant.retain(|(letter, _)| !is_used_anew(letter, working, &question.letters));
+    let mut read = lines::read(working, &question.letters, vectors, &before.meant);
+    letters::put_in_place(&mut read, &question.letters, &mut before.meant, prepared);
     let (undone, slips) = undone(&read, &before.slips, prepared);
     before.slips = slips;
     let mut all = examine_lines(question, part, read, &before, of_others);

@@ -35,6 +35,8 @@ pub(crate) struct Theirs {
     pub(super) slips: Vec<Slip>,
     /// The letters that equations have for the velocities of A and B after the first impact, with their signs.
     pub(super) letters: Option<([String; 2], [f64; 2])>,
+    /// Letters for what is known, with what they stand for.
+    pub(super) meant: Vec<(String, Expr)>,
 }
 
 impl Theirs {

@@ -9,6 +9,7 @@ use super::pair::{Laws, Matched};
 use super::substituted::{apart, impulse_in, put_back, without_impulse};
 use super::told_apart::{Found, told_apart, weight, without_one_for_both};
 use super::two_lines;
+use super::unusual::of_velocities;
 use crate::expr::Expr;
 use crate::mark::working::examine::{Studied, value};
 use crate::mark::working::letters::false_number;
@@ -58,8 +59,8 @@ pub(in crate::mark::working) fn take_as_laws(lines: &mut [Studied], prepared: &P
         .collect();
     let all = said.iter().map(|(place, which, equation)| (*place, *which, equation));
     let equations = || all.clone().filter(|(.., equation)| !is_value(equation));
-    let laws_offered = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
-    let (mut offered, others): (Vec<Offered>, Vec<Offered>) = laws_offered.partition(Offered::is_of_velocities);
+    let offers = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
+    let (mut offered, others) = of_velocities(offers.collect());
     offered.extend(by_impulses(&others));
     let on_two_lines =
         two_lines::momentum(lines).and_then(|(place, which, equation)| Offered::of(place, which, &equation, prepared));

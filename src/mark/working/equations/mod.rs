@@ -17,6 +17,7 @@ mod terms;
 mod told_apart;
 mod trials;
 mod two_lines;
+mod unusual;
 
 pub(super) use apiece::Apiece;
 pub(super) use convention::{is_value, shows_e, take_as_laws};

@@ -170,7 +170,7 @@ fn roughly(equation: &(Expr, Expr), linear: &[Linear], prepared: &Prepared) -> O
 }
 
 /// May a letter stand for a velocity? Not an angle's, nor that of an impulse or an energy: `δ = β - α` is no law.
-fn may_be_velocity(name: &str) -> bool {
+pub(super) fn may_be_velocity(name: &str) -> bool {
     let is_greek = name.len() > 3 && !name.contains(['_', ' ']);
     !is_greek && !is_impulse(name) && !matches!(name, "phi" | "E")
 }

@@ -118,7 +118,14 @@ impl Working<'_> {
             !typed.starts_with('=') && !is_remark(typed)
         };
         let begin = (0..=last).rfind(begins).and_then(|place| self.lines[place].reading.as_ref());
-        if end.label.is_none() {
+        // In `= t/(2 + 3t²) = tan α/(2 + 3 tan²α)` the first is no name of the second.
+        let goes_on = self.lines[last].line.typed.trim_start().starts_with('=');
+        if let Some(said) = end.said.last_mut().filter(|_| goes_on)
+            && let Form::Equation(Expr::Relation(_, Relation::Equal, right)) = &said.form
+        {
+            said.form = Form::Value((**right).clone());
+        }
+        if end.label.is_none() || goes_on {
             end.label = begin.and_then(|line| self.called(line)).cloned();
         }
         if let Some((left, _)) = begin.and_then(|line| self.result_of_difference(line)) {

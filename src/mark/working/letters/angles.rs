@@ -6,7 +6,7 @@ use super::slipped::false_number;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::Form;
 use crate::mark::working::examine::context;
-use crate::mark::working::lines::{Line, Member, ReadLine};
+use crate::mark::working::lines::{Line, Member, ReadLine, explains};
 use crate::mark::working::numbers::{Spread, constant};
 use crate::mark::working::prepared::Prepared;
 use crate::number::{Letter, Range};
@@ -18,8 +18,13 @@ pub(super) const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
 ///
 /// A letter stands for what the working says of it before it is first used; else for the angle of that name in the
 /// question, or for the only one that has a name there.
-pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Prepared) {
-    put_short_letters_in_place(lines, letters, prepared);
+pub(super) fn put_in_place(
+    lines: &mut [Line],
+    letters: &[Letter],
+    explained: &mut Vec<(String, Expr)>,
+    prepared: &Prepared,
+) {
+    put_short_letters_in_place(lines, letters, explained, prepared);
     let mut known: Vec<(String, Expr)> = Vec::new();
     let mut guessed: Vec<String> = Vec::new();
     let mut sought: Vec<String> = Vec::new();
@@ -76,9 +81,15 @@ fn from_distance(prepared: &Prepared, name: &str) -> Option<f64> {
     prepared.from_distance.filter(|_| prepared.angles.iter().any(|(known, _)| known == name))
 }
 
-/// `let t = tan α`, `k = 4cos30`: from there on the letter is written for it.
-fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Prepared) {
-    let mut known: Vec<(String, Expr)> = Vec::from_iter(unsaid(lines, letters, prepared));
+/// `let t = tan α`, `k = 4cos30`: from there on the letter is written for it, in later parts too.
+fn put_short_letters_in_place(
+    lines: &mut [Line],
+    letters: &[Letter],
+    known: &mut Vec<(String, Expr)>,
+    prepared: &Prepared,
+) {
+    let unsaid = unsaid(lines, letters, prepared).filter(|(own, _)| known.iter().all(|(letter, _)| letter != own));
+    known.extend(unsaid);
     let mut used: Vec<String> = Vec::new();
     for line in lines {
         let put = |expr: &Expr| {
@@ -87,11 +98,11 @@ fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: 
         if !known.is_empty() {
             line.readings_mut().for_each(|reading| put_everywhere(reading, &put));
         }
-        // `tan δ = 35t/(9 + 44t²), t = tan α`: the line itself is written with it.
+        // `tan δ = 35t/(9 + 44t²), t = tan α`, `3u = 3v + 4w (u = 8 cos 48°)`: the line itself is written with it.
         let members = line.readings.iter().flat_map(|reading| &reading.members);
         let here: Vec<(String, Expr)> = members
-            .filter(|member| argument(&member.expr).is_some())
             .filter_map(|member| short(member, prepared))
+            .filter(|(letter, value)| argument(value).is_some() || explains(&line.typed, letter))
             .collect();
         let put = |expr: &Expr| {
             expr.substitute(&|name| {
@@ -181,7 +192,7 @@ fn turned_round((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(St
 }
 
 /// May it be a letter for something known? Others stand for what is to be found, by the custom of the subject.
-pub(super) fn is_short(letter: &str) -> bool {
+pub(in crate::mark::working) fn is_short(letter: &str) -> bool {
     const SOUGHT: [char; 18] =
         ['v', 'w', 'x', 'y', 'V', 'W', 'X', 'Y', 'I', 'J', 'E', 'e', 'm', 'M', 'i', 'A', 'B', 'C'];
     let is_greek = letter.len() > 2 && !letter.contains('_');

@@ -1,12 +1,12 @@
 //! Names that a student gives to both velocities after the impact, where they are none of the usual ones: `v'` and `w'`,
 //! `v_{Ax}` and `v_{Bx}`, `r` and `s`.
 
-use std::borrow::Cow;
-
+use super::signs::{components, with_signs};
+use crate::mark::reading::greek_name;
 use crate::mark::working::lines::typed;
 use crate::number::Letter;
 
-/// Names of the student's own for what is to be found: each with a prime, and both of a pair of which one line has the sum
+/// Names of the student's own for what is to be found: each with a prime or a sign for its component, λ and μ, and both of a pair of which one line has the sum
 /// and another the difference, as the two laws have. No other formulas have such two lines.
 pub(in crate::mark::working) fn own_unknowns(working: &[String], letters: &[Letter]) -> Vec<String> {
     let is_free = |name: &str| {
@@ -18,12 +18,13 @@ pub(in crate::mark::working) fn own_unknowns(working: &[String], letters: &[Lett
     let mut found: Vec<String> = Vec::new();
     let mut sums: Vec<(String, String, char)> = Vec::new();
     for line in typed(working).filter(|line| line.contains('=')) {
-        let pieces = pieces(&with_primes(line));
+        let pieces = pieces(&with_signs(line));
         let primed = pieces.iter().filter_map(|piece| match piece {
-            Piece::Name(name) if name.ends_with('\'') => Some(name.clone()),
+            // Neither λ nor μ is an angle.
+            Piece::Name(name) if name.ends_with('\'') || matches!(&**name, "lambda" | "mu") => Some(name.clone()),
             _ => None,
         });
-        found.extend(primed);
+        found.extend(primed.chain(components(line)));
         sums.extend(sums_in(&pieces));
     }
     for (one, other, sign) in &sums {
@@ -50,14 +51,6 @@ fn has_x_for_times(line: &str) -> bool {
         let is_factor = |next: char| next.is_alphanumeric() || "(√½¼¾⅓⅔".contains(next);
         before.ends_with(|last: char| last.is_ascii_digit() || ")½¼¾⅓⅔".contains(last)) && after.starts_with(is_factor)
     })
-}
-
-/// A line with primes as keyboards have them, where they are raised or typed as TeX's command: `v^{\\prime}`.
-pub(in crate::mark::working) fn with_primes(line: &str) -> Cow<'_, str> {
-    const RAISED: [&str; 6] = ["^{\\prime}", "^\\prime", "\\prime", "^{'}", "^'", "^′"];
-    let is_there = RAISED.iter().any(|raised| line.contains(raised));
-    let put = |line: String, raised: &&str| line.replace(*raised, "'");
-    if is_there { Cow::Owned(RAISED.iter().fold(line.to_owned(), put)) } else { Cow::Borrowed(line) }
 }
 
 /// Names that have a meaning of their own: unit vectors, e, impulses, energies, π and degrees.
@@ -99,7 +92,13 @@ fn pieces(line: &str) -> Vec<Piece> {
             let is_apostrophe = signs.get(at + primes).is_some_and(|next| next.is_alphabetic());
             name.extend(std::iter::repeat_n('\'', if is_apostrophe { 0 } else { primes }));
             at += primes;
-            found.push(if is_name(&name) { Piece::Name(name) } else { Piece::Sign('w') });
+            // `mu` is m and u.
+            let greek = greek_name(&name).filter(|_| name.chars().count() != 2);
+            found.push(match greek {
+                Some(greek) => Piece::Name(greek.to_owned()),
+                None if is_name(&name) => Piece::Name(name),
+                None => Piece::Sign('w'),
+            });
         } else {
             found.extend((!sign.is_whitespace()).then_some(Piece::Sign(if sign == '−' { '-' } else { sign })));
             at += 1;

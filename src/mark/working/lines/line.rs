@@ -5,13 +5,14 @@ use std::rc::Rc;
 
 use super::all_over::all_over;
 use super::candidates::candidates;
+use super::explained::explained;
 use super::labels::without_label;
 use super::products::{Products, factors_of_functions, has_letters};
 use super::remarks::{is_formula, without_arrow};
 use super::sentence::{equations_in_sentence, steps};
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
-use crate::mark::working::letters::{indexed_letters, own_capitals, own_unknowns, short_letters, with_primes};
+use crate::mark::working::letters::{indexed_letters, own_capitals, own_unknowns, short_letters, with_signs};
 use crate::number::{Letter, Range};
 
 /// A line of working, read.
@@ -93,8 +94,13 @@ const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
 /// More lines than this are for a person to read.
 pub(in crate::mark) const MOST_LINES: usize = 60;
 
-/// Reads lines of working where the question has these letters, and perhaps vectors.
-pub(in crate::mark::working) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec<Line> {
+/// Reads lines of working where the question has these letters, and perhaps vectors; an earlier part has `explained` others.
+pub(in crate::mark::working) fn read(
+    working: &[String],
+    letters: &[Letter],
+    vectors: bool,
+    explained: &[(String, Expr)],
+) -> Vec<Line> {
     let with = |names: &[&str]| {
         let mut all = letters.to_vec();
         for name in names {
@@ -106,9 +112,10 @@ pub(in crate::mark::working) fn read(working: &[String], letters: &[Letter], vec
     };
     let capitals = own_capitals(working, letters);
     let short = short_letters(working, letters);
-    let indexed = indexed_letters(working);
+    let indexed = indexed_letters(working, letters);
     let unknowns = own_unknowns(working, letters);
-    let own = capitals.iter().chain(&short).chain(&unknowns).map(String::as_str).chain(indexed);
+    let explained = explained.iter().map(|(letter, _)| letter);
+    let own = capitals.iter().chain(&short).chain(&unknowns).chain(&indexed).chain(explained).map(String::as_str);
     let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(own).collect();
     let doubtful: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
     let own: Vec<&str> = doubtful.iter().copied().chain(OWN).collect();
@@ -121,7 +128,7 @@ pub(in crate::mark::working) fn read(working: &[String], letters: &[Letter], vec
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
         typed: typed.to_owned(),
-        readings: readings(&products.signed(&with_primes(without_label(typed))), &vocabularies)
+        readings: readings(&products.signed(&with_signs(without_label(typed))), &vocabularies)
             .into_iter()
             .map(Rc::new)
             .collect(),
@@ -154,8 +161,8 @@ impl ReadLine {
 
 fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
-    // What a letter stands for is no aside here: `… = 35t/(9 + 44t²), where t = tan α`.
-    let explained = [" where ", " let ", " letting "].into_iter().find_map(|word| typed.split_once(word));
+    // What a letter stands for is no aside here.
+    let explained = explained(typed);
     // `x = … from u cos θ = x + y`: from another equation, not from a line.
     let from = [" from ", " means "].into_iter().find_map(|word| typed.split_once(word));
     let explained = explained.or_else(|| from.filter(|(before, _)| before.contains('=')));

@@ -4,6 +4,7 @@ mod all_over;
 mod candidates;
 mod crossed_out;
 mod doubtful;
+mod explained;
 mod labels;
 mod line;
 mod products;
@@ -12,6 +13,7 @@ mod said;
 mod sentence;
 
 pub(super) use crossed_out::set_aside_replaced;
+pub(super) use explained::explains;
 pub(super) use line::{Line, Member, OWN, ReadLine, read};
 pub(in crate::mark) use line::{MOST_LINES, typed};
 pub(super) use products::FUNCTIONS;

@@ -151,6 +151,17 @@ pub(super) fn after_impact(typed: &str) -> Option<String> {
     })
 }
 
+/// What a sphere has before an impact and after it, for `A: -1/√2 → 1/√2`.
+pub(super) fn before_and_after(typed: &str) -> Option<String> {
+    let (sphere, change) = typed.split_once(':')?;
+    let (before, after) = ["→", "->", "⟶"].iter().find_map(|arrow| change.split_once(arrow))?;
+    let is_value = |side: &str| {
+        side.contains(|sign: char| sign.is_ascii_digit()) && !side.contains(|sign: char| "=<>,;:→".contains(sign))
+    };
+    let is_change = matches!(sphere.trim(), "A" | "B") && is_value(before) && is_value(after);
+    is_change.then(|| format!("{} before {}, after {}", sphere.trim(), before.trim(), after.trim()))
+}
+
 /// A line without what it says at its end of a component that stays as it is: `, which remains the same`.
 pub(super) fn without_remark(typed: &str) -> &str {
     const AROUND: [char; 7] = [' ', ',', ';', '-', '–', '(', ':'];
@@ -166,9 +177,16 @@ pub(super) fn without_remark(typed: &str) -> &str {
     let says_so = words.iter().any(|word| STAYS.contains(&word.trim_matches(['(', ')', ',', '.', ';'])));
     let length: usize = words.iter().map(|word| word.len() + 1).sum();
     match typed.len().checked_sub(length).filter(|length| says_so && *length > 0) {
-        Some(length) => typed[..length].trim_end_matches([' ', ',', ';', '-', '–']),
+        Some(length) => without_open_words(typed[..length].trim_end_matches([' ', ',', ';', '-', '–'])),
         None => typed,
     }
+}
+
+/// Without words behind a bracket that nothing closes: `8 sin 48° (vertical` is left of `8 sin 48° (vertical, stays the same)`.
+fn without_open_words(typed: &str) -> &str {
+    let is_in_words = |inside: &str| inside.chars().all(|sign| sign.is_alphabetic() || " ,;-".contains(sign));
+    let open = typed.rsplit_once('(').filter(|(_, inside)| is_in_words(inside));
+    open.map_or(typed, |(before, _)| before.trim_end())
 }
 
 /// Words that say of a component that it stays as it is, and others that stand with them.

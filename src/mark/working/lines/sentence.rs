@@ -131,6 +131,12 @@ fn has_equation(typed: &str) -> bool {
 
 /// An equation without the words before it, unless they name what it is about.
 fn without_words(clause: &str) -> &str {
+    // `A: -J = 6(v - 11); B: J = 4(w - 3)`: the equation says by itself of which sphere it is.
+    let of_sphere = ["A:", "B:"].iter().find_map(|sphere| clause.strip_prefix(sphere)).map(str::trim_start);
+    let is_impulse = |side: &str| matches!(side.trim().trim_start_matches(['-', '−']), "I" | "J");
+    if let Some(impulse) = of_sphere.filter(|equation| equation.split('=').next().is_some_and(is_impulse)) {
+        return impulse;
+    }
     let left = &clause[..clause.find('=').unwrap_or(0)];
     // Each word with the blank behind it.
     let lengths = left.split_inclusive(char::is_whitespace).scan(0, |end, word| {
