@@ -1,6 +1,7 @@
 //! The component perpendicular to the line of centres, or along a wall, which an impact leaves as it is.
 
 use super::shapes::{components_in, is_tangent, two_squares};
+use crate::bank::Code;
 use crate::expr::{Expr, Function};
 use crate::mark::judging::may_be_named;
 use crate::mark::reading::{Form, Label, Said};
@@ -31,7 +32,9 @@ impl Working<'_> {
             let feedback = "this is the component of the other sphere: each keeps its own".to_owned();
             return Some(Evidence { given: false, feedback, ..Evidence::given(line, role) });
         }
-        let found = Evidence::given(*places.iter().max()?, role);
+        // Of a ratio of components both are seen.
+        let at_wall = || self.tangent_by_e().or_else(|| self.by_unknown_components(Axis::T, Code::A1));
+        let found = Evidence::given(places.iter().max().copied().or_else(at_wall)?, role);
         let changed = |(line, says): (usize, &str)| {
             let (note, feedback) = (Some(Departure::WrongAxis.tag()), format!("{says}: e has no part in it"));
             Evidence { line, given: false, note, feedback, ..Evidence::given(line, found.role.clone()) }
@@ -42,7 +45,7 @@ impl Working<'_> {
         if let Some(line) = by_wall().or_else(by_sphere) {
             return Some(changed(line));
         }
-        match places.len() == across.len() {
+        match places.is_empty() || places.len() == across.len() {
             true => Some(found),
             false => {
                 let feedback = "only one of the two components is there, and each sphere keeps its own".to_owned();

@@ -155,9 +155,13 @@ impl Working<'_> {
         }
         let comes = |value: Value, right: f64| match is_angle {
             true => comes_to_angle(value, right, self.may_be_complement(quantity)),
-            // The angle itself, `α = 30°`, says what its sine is.
             false if quantity == Quantity::ContactSine => comes_to(value, right) || comes_to(value, right.asin()),
             false => comes_to(value, right),
+        };
+        // The angle itself, `α = 30°`, says what its sine is.
+        let is_angle_of_contact = |member: &Member, values: &[Value]| {
+            let comes = |(value, right): (&Value, &f64)| comes_to(*value, right.asin().to_degrees());
+            quantity == Quantity::ContactSine && is_greek(member) && values.iter().zip(&right).all(comes)
         };
         let is_of_another_function =
             |label: &str| ["tan", "cos"].iter().any(|name| label.trim_start().starts_with(name));
@@ -179,7 +183,8 @@ impl Working<'_> {
                         && !member.is_given
                         && !self.is_taken(member, quantity)
                         && !self.is_printed_value(&member.expr)
-                        && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
+                        && (values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
+                            || is_angle_of_contact(member, values))
                         && !self.is_denied_by_line(studied, member)
                 })
         })

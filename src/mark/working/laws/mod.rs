@@ -18,6 +18,7 @@ mod printed;
 mod rebound;
 mod shapes;
 mod turned;
+mod unknown_components;
 mod values;
 mod vector_momentum;
 mod vectors;

@@ -37,7 +37,8 @@ impl Working<'_> {
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
         let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after, code));
-        let right = right.or_else(|| self.rebound_in_tangent());
+        let right = right.or_else(|| self.rebound_in_tangent()).or_else(|| self.tangent_by_e());
+        let right = right.or_else(|| self.by_unknown_components(Axis::N, code));
         let by_method = || self.exchanged(after, code).or_else(|| self.rebound_of_own());
         // Along i or j the components are there already.
         let is_resolved = || self.lies_along_axis().then(|| self.rebound_of_all()).flatten();
@@ -90,6 +91,23 @@ impl Working<'_> {
                 let components = components_in(&member.expr, is_tangent(member));
                 components.iter().any(|component| self.is_one_of(component, &after))
             })
+        })
+    }
+
+    /// *e* times the tangent of the angle at which a second wall is hit, `tan γ = ½ × 3/tan α`, where a result is to be shown: at
+    /// the first that would be the result itself.
+    pub(super) fn tangent_by_e(&self) -> Option<usize> {
+        let before = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::Before, axis));
+        let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
+        let is_open = self.prepared.setting == Setting::Wall && is_shown && self.part.meeting.number > 0;
+        let (into, along) = before(Axis::N).zip(before(Axis::T)).filter(|_| is_open)?;
+        let tangent: Vec<f64> = into.iter().zip(&along).map(|(into, along)| (into / along).abs()).collect();
+        if tangent.iter().any(|size| !size.is_normal()) {
+            return None;
+        }
+        self.lines.iter().position(|studied| {
+            self.speaks_of_angle(studied)
+                && self.members(studied).any(|(member, _)| self.is_e_times(&member.expr, &tangent))
         })
     }
 

@@ -108,6 +108,12 @@ impl Working<'_> {
                 best = Some((found.len(), stated, last, each));
             }
         }
+        let by_equations = || self.by_unknown_components(Axis::T, code).zip(self.by_unknown_components(Axis::N, code));
+        let by_equations = by_equations()
+            .map(|(along, across)| Evidence::given(along.max(across), "components along the line of centres"));
+        if by_equations.is_some() {
+            return by_equations;
+        }
         let (count, stated, place, each) = best?;
         // Two velocities may have components of one size.
         let is_method = stated >= 2 || count >= if is_wall { 1 } else { 2.min(components.len()) };
