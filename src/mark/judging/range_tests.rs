@@ -101,7 +101,7 @@ fn a_range_is_judged_by_its_ends() {
         ("1/3 < e <= 1", "awrt 3sf", "e > 0.333", Correct, None),
         ("1/3 < e <= 1", "awrt 3sf", "e > 0.33", Partial, Some("under-accurate")),
         ("1/3 < e <= 1", "", "k > 1/3", Unreadable, Some("cannot-be-read")),
-        ("1/3 < e <= 1", "", "between 1/3 (excluded) and 1", Unreadable, Some("cannot-be-compared")),
+        ("1/3 < e <= 1", "", "between 1/3 (excluded) and 1", Correct, None),
         ("k >= 2", "", "2 or more", Correct, None),
         ("k >= 2", "", "k is 2 or above", Correct, None),
         ("k >= 2", "", "k = 2 and above", Correct, None),

@@ -147,6 +147,8 @@ pub(super) fn closes(tokens: &[Placed], closing: char) -> Option<usize> {
 pub(super) fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<(f64, bool)> {
     let (value, scale) = match tokens {
         [value @ .., percent] if percent.is('%') => (value, 0.01),
+        // The minutes of `36 degrees 52 minutes` are no unit.
+        _ if tokens.iter().any(|placed| placed.is('°')) => (tokens, 1.0),
         // `9m` is a mass where the question has an m.
         [.., Placed { token: Token::Word(last), .. }] if names::letter(last, vocabulary).is_some() => (tokens, 1.0),
         _ => match (1..tokens.len())
