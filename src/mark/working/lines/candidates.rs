@@ -1,8 +1,8 @@
 //! What of a line its equation may be: all of it, or what is left without the words before it.
 
 use super::remarks::{
-    after_impact, after_remark, after_stationary, along_impulse, before_and_after, is_formula, named_by_moment,
-    turned_round, without_cancelling, without_lead_in, without_remark,
+    after_impact, after_remark, after_stationary, along_impulse, is_formula, named_by_moment, turned_round,
+    without_cancelling, without_lead_in, without_remark,
 };
 use super::sentence::conclusions;
 
@@ -24,7 +24,6 @@ pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.extend(case(typed).map(|both| (None, both)));
     all.extend(turned_round(typed).map(|turned| (None, turned)));
     all.extend(along_impulse(typed).map(|along| (None, along)));
-    all.extend(before_and_after(typed).map(|both| (None, both)));
     all.extend(after_impact(typed).map(|after| (None, after)));
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
     all.extend(named_by_moment(typed).map(|(name, formula)| (Some(name), formula.to_owned())));

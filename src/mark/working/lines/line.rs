@@ -8,7 +8,7 @@ use super::candidates::candidates;
 use super::explained::explained;
 use super::labels::without_label;
 use super::products::{Products, factors_of_functions, has_letters};
-use super::remarks::{is_formula, without_arrow};
+use super::remarks::{before_and_after, is_formula, without_arrow};
 use super::sentence::{equations_in_sentence, steps};
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
@@ -176,7 +176,11 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let typed = &*without_arrow(typed);
     let has_factors = |vocabulary: &Vocabulary| factors_of_functions(typed).all(|own| has_letters(vocabulary, own));
     let may_have = vocabularies.iter().any(has_factors);
-    let (candidates, sentence) = (candidates(typed), equations_in_sentence(typed));
+    let (mut candidates, sentence) = (candidates(typed), equations_in_sentence(typed));
+    // Of components along a slanting line, which have roots: of others one does not change.
+    if vocabularies[0].vectors && typed.contains('√') {
+        candidates.splice(0..0, before_and_after(typed).map(|both| (None, both)));
+    }
     for (place, vocabulary) in vocabularies.iter().enumerate() {
         if may_have && !has_factors(vocabulary) {
             continue;

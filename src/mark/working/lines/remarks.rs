@@ -151,7 +151,7 @@ pub(super) fn after_impact(typed: &str) -> Option<String> {
     })
 }
 
-/// What a sphere has before an impact and after it, for `A: -1/√2 → 1/√2`.
+/// What a sphere has along a line before an impact and after it, for `A: -1/√2 → 1/√2`.
 pub(super) fn before_and_after(typed: &str) -> Option<String> {
     let (sphere, change) = typed.split_once(':')?;
     let (before, after) = ["→", "->", "⟶"].iter().find_map(|arrow| change.split_once(arrow))?;
