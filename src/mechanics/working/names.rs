@@ -33,7 +33,7 @@ impl Show<'_> {
 
     /// The vector whose magnitude is usually called so.
     pub fn vector_name(&self, usual: &'static str) -> Expr {
-        Expr::name(&format!("vector.{}", self.letter(usual)))
+        Expr::name(format!("vector.{}", self.letter(usual)))
     }
 
     /// The name of the angle between the path of A and the line of centres.
