@@ -3,16 +3,10 @@
 use super::Show;
 use crate::expr::Expr;
 
-/// The usual letter of each thing, and what stands for it where that is taken.
-const NAMES: &[[&str; 3]] = &[
-    ["I", "J", "Q"],
-    ["L", "D", "W"],
-    ["f", "F", "k"],
-    ["s", "S", "d"],
-    ["alpha", "phi", "theta"],
-    ["beta", "gamma", "psi"],
-    ["delta", "epsilon", "omega"],
-];
+/// The usual letter of each thing, and what stands for it where that is taken. β and δ are none of them: a question has
+/// letters of its own for those angles, which the paper puts in their place.
+const NAMES: &[[&str; 3]] =
+    &[["I", "J", "Q"], ["L", "D", "W"], ["f", "F", "k"], ["s", "S", "d"], ["alpha", "phi", "theta"]];
 
 impl Show<'_> {
     /// Does a letter of this name occur in the scene?
