@@ -213,6 +213,12 @@ fn the_angle_with_each_wall_has_the_letter_that_the_question_gives_it() {
 }
 
 #[test]
+fn the_deflection_has_the_letter_that_the_question_gives_it() {
+    let told = told(&with_reference_numbers("rest-letters/direction-and-deflection"), 1);
+    assert!(told.contains("The deflection δ of A") && told.contains("tan δ = "), "{told}");
+}
+
+#[test]
 fn the_angle_turned_through_is_found_by_the_function_that_the_line_before_has() {
     let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
     let mut by_cosine = 0;
