@@ -17,7 +17,9 @@ impl Working<'_> {
         let after = sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::After, axis))?;
         let (x, y) = if axis == Axis::N { (x[0], y[0]) } else { (-y[0], x[0]) };
         // Along i or j one of the two is there by itself.
-        let is_slanting = x.abs() > 1e-9 && y.abs() > 1e-9;
+        if x.abs() < 1e-9 || y.abs() < 1e-9 {
+            return None;
+        }
         let signs: &[f64] = if code.is_accuracy() { &[1.0] } else { &[1.0, -1.0] };
         let is_it = |equation: &(Expr, Expr)| {
             let Some(all) = differences(equation, self.prepared) else { return false };
@@ -30,10 +32,7 @@ impl Working<'_> {
             let is_along = (second.middle() - scale * y).abs() < 1e-6 * scale.abs();
             is_along && signs.iter().any(|sign| all.constant.may_be(-scale * sign * after[0]))
         };
-        let place = self
-            .lines
-            .iter()
-            .position(|studied| studied.reading.as_ref().is_some_and(|reading| reading.equations.iter().any(is_it)));
-        place.filter(|_| is_slanting)
+        let mut readings = self.lines.iter().map(|studied| studied.reading.as_ref());
+        readings.position(|reading| reading.is_some_and(|reading| reading.equations.iter().any(is_it)))
     }
 }

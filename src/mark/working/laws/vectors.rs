@@ -108,11 +108,9 @@ impl Working<'_> {
                 best = Some((found.len(), stated, last, each));
             }
         }
-        let by_equations = || self.by_unknown_components(Axis::T, code).zip(self.by_unknown_components(Axis::N, code));
-        let by_equations = by_equations()
-            .map(|(along, across)| Evidence::given(along.max(across), "components along the line of centres"));
-        if by_equations.is_some() {
-            return by_equations;
+        let [along, across] = [Axis::T, Axis::N].map(|axis| self.by_unknown_components(axis, code));
+        if let Some((along, across)) = along.zip(across) {
+            return Some(Evidence::given(along.max(across), "components along the line of centres"));
         }
         let (count, stated, place, each) = best?;
         // Two velocities may have components of one size.

@@ -1,5 +1,7 @@
 //! Letters that a student brings: told by how the whole working has them.
 
+use std::collections::BTreeSet;
+
 use super::angles::{is_short, tangent_letter};
 use super::unknowns::own_unknowns;
 use crate::mark::working::lines::{FUNCTIONS, OWN, typed};
@@ -25,37 +27,36 @@ pub(in crate::mark::working) fn own_capitals(working: &[String], letters: &[Lett
 /// Any letter of which there is a first and a second is one, and so is one with a component along x and one along y: `T1` and
 /// `T2`, `ux` and `uy`.
 pub(in crate::mark::working) fn indexed_letters(working: &[String], letters: &[Letter]) -> Vec<String> {
-    let is_there = |name: &str| typed(working).any(|line| stands_alone(line, name).next().is_some());
-    let usual = OWN
-        .into_iter()
-        .filter(|name| name.split_once('_').is_some_and(|(base, index)| is_there(&format!("{base}{index}"))));
+    let names: BTreeSet<&str> = typed(working).flat_map(names_in).map(|(name, _)| name).collect();
+    let is_there = |base: &str, index: &str| names.contains(&*format!("{base}{index}"));
+    let usual = OWN.into_iter().filter(|name| name.split_once('_').is_some_and(|(base, index)| is_there(base, index)));
     let mut found: Vec<String> = usual.map(str::to_owned).collect();
     let is_free = |name: &String| !found.contains(name) && letters.iter().all(|own| own.name() != name);
     let counted = ('A'..='Z').chain('a'..='z').map(|letter| (letter.to_string(), ["1", "2"]));
     let of_velocities =
         ["u", "v", "w", "U", "V", "W"].into_iter().flat_map(|letter| ["", "A", "B"].map(|of| format!("{letter}{of}")));
     let pairs = counted.chain(of_velocities.map(|base| (base, ["x", "y"])));
-    let pairs = pairs.filter(|(base, indices)| indices.iter().all(|index| is_there(&format!("{base}{index}"))));
+    let pairs = pairs.filter(|(base, indices)| indices.iter().all(|index| is_there(base, index)));
     let named = pairs.flat_map(|(base, indices)| indices.map(|index| format!("{}_{}{index}", &base[..1], &base[1..])));
     let named: Vec<String> = named.filter(is_free).collect();
     found.extend(named);
     found
 }
 
-/// Where a name stands that is no part of another.
-fn stands_alone<'t>(typed: &'t str, name: &'t str) -> impl Iterator<Item = usize> {
-    let is_apart = |sign: Option<char>| sign.is_none_or(|sign| !sign.is_alphanumeric() && sign != '_');
-    let places = typed.match_indices(name).map(|(at, _)| at);
-    places.filter(move |at| {
-        is_apart(typed[..*at].chars().next_back()) && is_apart(typed[at + name.len()..].chars().next())
-    })
+/// The names and numbers of a line, as it parts them, each with what stands behind it.
+fn names_in(typed: &str) -> impl Iterator<Item = (&str, &str)> {
+    let names = typed.split(|sign: char| !sign.is_alphanumeric() && sign != '_').scan(0, |start, name| {
+        let end = *start + name.len();
+        *start = end + typed[end..].chars().next().map_or(0, char::len_utf8);
+        Some((name, &typed[end..]))
+    });
+    names.filter(|(name, _)| !name.is_empty())
 }
 
 /// Does a letter that an earlier part has explained stand for something else here: is it set equal to something again, or is
 /// it one of two unknowns?
 pub(in crate::mark::working) fn is_used_anew(letter: &str, working: &[String], letters: &[Letter]) -> bool {
-    let is_set =
-        |line: &str| stands_alone(line, letter).any(|at| line[at + letter.len()..].trim_start().starts_with('='));
+    let is_set = |line| names_in(line).any(|(name, after)| name == letter && after.trim_start().starts_with('='));
     typed(working).any(is_set) || own_unknowns(working, letters).iter().any(|own| own == letter)
 }
 

@@ -6,8 +6,8 @@ use crate::mark::reading::greek_name;
 use crate::mark::working::lines::typed;
 use crate::number::Letter;
 
-/// Names of the student's own for what is to be found: each with a prime or a sign for its component, λ and μ, and both of a pair of which one line has the sum
-/// and another the difference, as the two laws have. No other formulas have such two lines.
+/// Names of the student's own for what is to be found: each with a prime or a sign for its component, λ and μ, and both of a
+/// pair of which one line has the sum and another the difference, as the two laws have. No other formulas have such two lines.
 pub(in crate::mark::working) fn own_unknowns(working: &[String], letters: &[Letter]) -> Vec<String> {
     let is_free = |name: &str| {
         let of_question = |letter: &Letter| without_underscores(letter.name()) == without_underscores(name);
