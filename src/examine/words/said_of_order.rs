@@ -71,9 +71,8 @@ fn striker(before: &[Token], impacts: &[Impact]) -> Option<Sphere> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::said::contradicted;
-    use crate::examine::{Edits, edited};
-    use crate::generate::Deal;
+    use super::super::said_tests::said;
+    use crate::examine::Edits;
 
     #[test]
     fn what_is_struck_first_is_the_first_impact_of_the_one_that_strikes() {
@@ -97,11 +96,7 @@ mod tests {
             ),
         ];
         for (id, edits, words) in table {
-            let question = edited(id, edits);
-            let style = &question.styles[0];
-            let variant = Deal::new(&question, style, 1).next().unwrap();
-            let found = contradicted(&question, style, &variant);
-            let said: String = found.into_iter().map(|finding| finding.message).collect();
+            let said = said(id, edits);
             assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
         }
     }

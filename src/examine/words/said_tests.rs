@@ -2,13 +2,13 @@
 
 use super::said::contradicted;
 use super::truth;
-use crate::examine::edited;
+use crate::examine::{Edits, edited};
 use crate::generate::Deal;
 use crate::paper::words;
 
-/// What is said of the first variant of a shipped question after an edit.
-fn said(id: &str, from: &str, to: &str) -> String {
-    let question = edited(id, &[(from, to)]);
+/// What is said of the first variant of a shipped question after edits.
+pub(super) fn said(id: &str, edits: Edits) -> String {
+    let question = edited(id, edits);
     let style = &question.styles[0];
     let variant = Deal::new(&question, style, 1).next().unwrap();
     let mut remarks = Vec::new();
@@ -536,7 +536,7 @@ fn how_spheres_move_afterwards_and_what_they_have_beside_each_other_is_so() {
 fn assert_said(table: &[(&str, &str, &str, &str)]) {
     let mut wrong = Vec::new();
     for (id, from, to, words) in table.iter().copied() {
-        let said = said(id, from, to);
+        let said = said(id, &[(from, to)]);
         if !said.contains(words) || said.is_empty() != words.is_empty() {
             wrong.push(format!("{id}: {to}: {said}"));
         }
