@@ -59,6 +59,7 @@ mod typed;
 mod units;
 mod untold;
 mod untold_ways;
+mod verbs;
 
 pub use asked_things::unit_asked;
 pub use own_words::Heard;
