@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use carom::bank::Bank;
 use carom::diagnostic::render_all;
@@ -11,6 +10,7 @@ use carom::mark::report::Names;
 use carom::paper::{Dealer, Edition, Paper, compose};
 use carom::render::{Formats, RenderedFile};
 
+use super::chromium::chromium;
 use super::on_both::on_both;
 
 /// How a page is looked at.
@@ -44,14 +44,6 @@ fn axe() -> String {
         .unwrap_or_else(|fault| panic!("{}: {fault}: `.ci/run` says how npm installs axe-core there", path.display()))
 }
 
-/// The browser that `.ci/run` has made sure of.
-fn browser() -> &'static str {
-    let known = ["google-chrome", "chromium", "chromium-browser"];
-    let answers =
-        |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success());
-    known.into_iter().find(answers).expect("there is no Chromium here")
-}
-
 /// A folder of its own, empty.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accessibility").join(name);
@@ -79,11 +71,9 @@ fn faults_of_each(folder: &Path, pages: &[&str], look: Look) -> Vec<Vec<String>>
     );
     let path = folder.join("frame.html");
     fs::write(&path, frame).unwrap();
-    let mut chromium = Command::new(browser());
-    chromium.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars"]);
-    chromium.args(["--window-size=1300,1000", "--virtual-time-budget=600000", "--dump-dom"]);
+    let mut chromium = chromium(folder);
+    chromium.args(["--hide-scrollbars", "--window-size=1300,1000", "--virtual-time-budget=600000", "--dump-dom"]);
     chromium.arg(format!("--blink-settings=preferredColorScheme={}", if look.dark { 0 } else { 1 }));
-    chromium.arg(format!("--user-data-dir={}", folder.join("profile").display()));
     chromium.arg(format!("file://{}", path.display()));
     let output = chromium.output().unwrap();
     let dom = String::from_utf8_lossy(&output.stdout);

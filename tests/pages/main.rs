@@ -3,6 +3,8 @@
 //! `CAROM_ACCEPT=1 cargo test --test pages` writes the files anew; read them before you commit them.
 
 mod accessibility;
+#[path = "../typeset/chromium.rs"]
+mod chromium;
 mod class;
 mod families;
 mod feedback;

@@ -2,11 +2,11 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use carom::render::RenderedFile;
 use serde::Deserialize;
 
+use super::chromium::chromium;
 use super::said;
 
 /// What is to be seen of a page in a window of some width.
@@ -41,17 +41,6 @@ pub struct Picture {
     pub width: f64,
 }
 
-/// The browser that `.ci/run` has made sure of, with a profile of its own in a folder.
-fn browser(folder: &Path) -> Command {
-    let known = ["google-chrome", "chromium", "chromium-browser"];
-    let answers =
-        |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success());
-    let mut browser = Command::new(known.into_iter().find(answers).expect("there is no Chromium here"));
-    browser.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"]);
-    browser.arg(format!("--user-data-dir={}", folder.join("profile").display()));
-    browser
-}
-
 /// A page in windows of several widths, the widest first.
 pub fn seen(folder: &Path, page: &RenderedFile) -> Vec<Seen> {
     let text = serde_json::to_string(&page.contents).unwrap().replace('<', "\\u003c");
@@ -62,7 +51,7 @@ pub fn seen(folder: &Path, page: &RenderedFile) -> Vec<Seen> {
     );
     let path = folder.join(format!("measured-{}", page.name));
     fs::write(&path, around).unwrap();
-    let mut chromium = browser(folder);
+    let mut chromium = chromium(folder);
     // for the clock of the page, which stands still while it works
     chromium.args(["--window-size=1600,1200", "--virtual-time-budget=20000", "--dump-dom"]);
     let told = said(chromium.arg(format!("file://{}", path.display())));
@@ -80,7 +69,7 @@ pub fn printed(folder: &Path, page: &RenderedFile, [_, right, _, left]: &[String
     );
     let (path, pdf) = (folder.join(&page.name), folder.join(&page.name).with_extension("pdf"));
     fs::write(&path, page.contents.replace("</body>", &open)).unwrap();
-    let mut chromium = browser(folder);
+    let mut chromium = chromium(folder);
     chromium.arg("--no-pdf-header-footer").arg(format!("--print-to-pdf={}", pdf.display()));
     said(chromium.arg(format!("file://{}", path.display())));
     pdf

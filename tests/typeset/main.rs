@@ -11,6 +11,7 @@ mod class;
 mod breaks;
 mod browser;
 mod by_student;
+mod chromium;
 mod clear;
 mod diagrams;
 mod engine;
