@@ -6,12 +6,8 @@
 //! degree nought in that letter; and if that is so for each letter, g is a number. Where the test says nothing, the
 //! polynomials may have a common factor or may have been unlucky, and Euclid's algorithm decides.
 
-use dashu_int::IBig;
-
-use super::{Fraction, Letter, Polynomial};
-
-/// A prime below 2^31, so that products stay in machine integers.
-const PRIME: u64 = 2_147_483_647;
+use super::residue::{PRIME, inverse, of_fraction, power, spread};
+use super::{Letter, Polynomial};
 
 /// The letters that a common factor of the polynomials may have, and those that are proved to be in none. A factor without
 /// a letter divides each coefficient in it.
@@ -37,57 +33,18 @@ fn coprime_in(a: &Polynomial, b: &Polynomial, letter: Letter, point: u64) -> boo
 fn image(polynomial: &Polynomial, letter: Letter, point: u64) -> Option<Vec<u64>> {
     let mut image = vec![0; polynomial.degree(letter) as usize + 1];
     for (monomial, coefficient) in polynomial.terms() {
-        let mut value = remainder(coefficient)?;
+        let mut value = of_fraction(coefficient)?;
         let mut place = 0;
         for (other, exponent) in monomial {
             if *other == letter {
                 place = *exponent as usize;
             } else {
-                value = value * power(at(*other, point), u64::from(*exponent)) % PRIME;
+                value = value * power(spread(*other, point), u64::from(*exponent)) % PRIME;
             }
         }
         image[place] = (image[place] + value) % PRIME;
     }
     Some(image)
-}
-
-/// A fraction modulo the prime; `None` if the prime divides its denominator.
-fn remainder(fraction: &Fraction) -> Option<u64> {
-    let (above, below) = match fraction.as_small() {
-        Some((above, below)) => {
-            let prime = PRIME as i64;
-            (above.rem_euclid(prime).unsigned_abs(), below.rem_euclid(prime).unsigned_abs())
-        }
-        None => (modulo(fraction.numerator()), modulo(fraction.denominator())),
-    };
-    match below {
-        0 => None,
-        1 => Some(above),
-        _ => Some(above * power(below, PRIME - 2) % PRIME),
-    }
-}
-
-/// A number for a letter, spread over the range by its name.
-fn at(letter: Letter, point: u64) -> u64 {
-    letter.name().bytes().fold(point * 0x9E37, |sum, byte| (sum * 1_000_003 + u64::from(byte) + 1) % PRIME)
-}
-
-fn modulo(number: IBig) -> u64 {
-    let rest = number % IBig::from(PRIME);
-    let positive = if rest < IBig::ZERO { rest + IBig::from(PRIME) } else { rest };
-    u64::try_from(positive).unwrap_or(0)
-}
-
-fn power(base: u64, mut exponent: u64) -> u64 {
-    let (mut base, mut result) = (base % PRIME, 1);
-    while exponent > 0 {
-        if exponent % 2 == 1 {
-            result = result * base % PRIME;
-        }
-        base = base * base % PRIME;
-        exponent /= 2;
-    }
-    result
 }
 
 /// The degree of the greatest common divisor of two polynomials modulo the prime; `None` if both are nought.
@@ -97,7 +54,7 @@ fn remainder_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> Option<usize> {
             b.pop();
         }
         let Some(lead) = b.last() else { return a.len().checked_sub(1) };
-        let inverse = power(*lead, PRIME - 2);
+        let inverse = inverse(*lead)?;
         while a.len() >= b.len() {
             let shift = a.len() - b.len();
             let factor = a.last().map_or(0, |top| top * inverse % PRIME);
@@ -116,7 +73,7 @@ fn remainder_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Range;
+    use crate::number::{Fraction, Range};
 
     fn coprime(a: &Polynomial, b: &Polynomial) -> bool {
         letters_of_common_factors(a, b).0.is_empty()
@@ -148,7 +105,7 @@ mod tests {
     #[test]
     fn a_prime_in_a_denominator_or_a_leading_coefficient_proves_nothing() {
         let x = letter("x");
-        let prime = Fraction::from(2_147_483_647);
+        let prime = Fraction::from(i64::try_from(PRIME).unwrap());
         let below = plus(&x, 1).scaled(&prime.reciprocal().unwrap());
         assert!(!coprime(&below, &plus(&x, 2)));
         let leading = plus(&x.scaled(&prime), 1);

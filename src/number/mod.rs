@@ -21,6 +21,7 @@ mod operations;
 mod polynomial;
 mod polynomial_roots;
 mod quotient;
+mod residue;
 mod root;
 mod rounding;
 mod shared_factors;

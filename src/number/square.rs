@@ -4,6 +4,7 @@
 //! A square of `c + d r`, `r` a root, is `a + b r` with `a = c² + d² r²` and `b = 2 c d`. So `a² - b² r²` is the square
 //! of `c² - d² r²`, and half of `a` plus or minus that is `c²`: a question about values without `r`.
 
+use super::residue::is_no_square;
 use super::value::{Root, Value};
 use super::{Fraction, Polynomial};
 
@@ -19,7 +20,7 @@ impl Value {
         let roots = self.roots();
         let plain = |root: &Root| !matches!(root, Root::Nested { .. });
         let can_be = roots.len() <= MOST_ROOTS && self.terms() <= LONGEST && roots.iter().all(plain);
-        if can_be { within(self, &roots) } else { None }
+        if can_be && !is_no_square(self, &roots) { within(self, &roots) } else { None }
     }
 
     /// The square root that is not negative of a square with roots in it, whose own root has none inside another.
