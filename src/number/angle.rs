@@ -112,12 +112,26 @@ impl Angle {
         if self.is_between_parts_of_a_degree(&denominator) || self.is_no_rational_number_of_degrees() {
             return None;
         }
+        if let Some(candidate) = self.nearest_by_doubles(&denominator) {
+            return self.is_degrees(&candidate).then_some(candidate);
+        }
         let measured = self.enclose(64, &|_| None)?;
         let middle = &(&measured.lower() + &measured.upper()) * &Fraction::new(1, 2);
         let steps = Fraction::from((&(&middle * &denominator) + &Fraction::new(1, 2)).floor());
         let candidate = &steps / &denominator;
         let gap = (&middle - &candidate).abs();
         (gap < Fraction::new(1, 1 << 40) && self.is_degrees(&candidate)).then_some(candidate)
+    }
+
+    /// The whole number of such parts of a degree that it must be if it is one, measured in doubles.
+    fn nearest_by_doubles(&self, denominator: &Fraction) -> Option<Fraction> {
+        const MOST: f64 = 1e8;
+        let size = Angle::size_between_doubles(&self.y, &self.x)?;
+        let sign = if self.y.between_doubles()?.sign()?.is_lt() { -1 } else { 1 };
+        let parts = denominator.to_f64();
+        let steps = (size.lower * parts).round();
+        let is_one = steps == (size.upper * parts).round() && steps < MOST;
+        is_one.then(|| &Fraction::from(steps as i64 * sign) / denominator)
     }
 
     /// Is it surely no whole number of such parts of a degree? Nearly always doubles show it.

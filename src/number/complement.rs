@@ -3,13 +3,20 @@
 //! Alone each keeps its own name, since who is given 70° expects cos 70° and not sin 20°. Where both meet, the
 //! larger gives way: tan 70° = 1/tan 20°. So no value holds both, and sin² 20° + sin² 70° is 1 by form.
 
+use std::cell::Cell;
+
 use super::value::Value;
 use super::{Fraction, Letter, Polynomial};
 
 impl Value {
     /// The same value with one letter for every pair of given angles that make a right angle.
     pub(super) fn without_complements(self) -> Value {
-        if !self.has_letter(Letter::is_constant) {
+        // Hardly any value has two such angles, and every value is asked.
+        let first = Cell::new(None);
+        let is_another = |letter: &Letter| {
+            letter.is_constant() && first.replace(Some(*letter)).is_some_and(|first| first != *letter)
+        };
+        if !self.has_letter(is_another) {
             return self;
         }
         let mut angles: Vec<(Fraction, Letter)> = Vec::new();

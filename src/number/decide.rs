@@ -34,8 +34,7 @@ impl Value {
     /// Is it nought (for a formula: whatever its letters stand for)?
     pub fn is_zero(&self) -> bool {
         let Value::Compound(compound) = self else { return self.is_written_zero() };
-        let roots = self.roots();
-        let nested = roots.last().filter(|root| matches!(root, Root::Nested { .. }));
+        let nested = self.last_nested();
         if nested.is_none() && !self.has_letter(Letter::is_constant) {
             // No nested root and no given angle: the normal form is nought only as nought itself.
             return false;
@@ -46,7 +45,7 @@ impl Value {
         if let Some(root) = nested {
             if is_one_product(&compound.terms) {
                 let is_nought = |root: &Root| matches!(root, Root::Nested { .. }) && root.square().is_zero();
-                return roots.iter().any(is_nought);
+                return compound.terms.keys().flatten().any(is_nought);
             }
             // Nearly always one point tells, of what is very small more finely; and to square root after root is long.
             return self.may_vanish(0, 64) && self.may_vanish(0, 512) && self.is_zero_with(root);

@@ -6,6 +6,8 @@ use std::hash::Hash;
 use std::ops::{Add, Mul};
 use std::thread::LocalKey;
 
+use smallvec::SmallVec;
+
 use super::decimal::{Decimal, Places};
 use super::polynomial::Polynomial;
 use super::rounding::{Uncertain, round, round_certified};
@@ -87,7 +89,7 @@ impl Value {
             Value::Rational(number) => return Some(E::of_fraction(number, bits)),
             Value::Compound(compound) => (&compound.terms, &compound.denominator),
         };
-        let mut known: Vec<(Letter, E)> = Vec::new();
+        let mut known: SmallVec<[(Letter, E); 2]> = SmallVec::new();
         let mut letter = |letter: Letter| -> Option<E> {
             if let Some((_, value)) = known.iter().find(|(other, _)| *other == letter) {
                 return Some(value.clone());

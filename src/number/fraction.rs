@@ -198,6 +198,11 @@ impl Fraction {
             (_, true) => return self.abs(),
             _ => {}
         }
+        if let (Some((n, d)), Some((m, e))) = (self.as_small(), other.as_small()) {
+            let (d, e) = (d.unsigned_abs(), e.unsigned_abs());
+            let (above, below) = (gcd(n.unsigned_abs(), m.unsigned_abs()), i128::from(d / gcd(d, e)) * i128::from(e));
+            return Fraction::reduce(above.into(), below);
+        }
         let numerator: IBig = self.numerator().gcd(other.numerator()).into();
         let (x, y) = (self.denominator(), other.denominator());
         let shared: IBig = (&x).gcd(&y).into();
@@ -208,6 +213,10 @@ impl Fraction {
     pub fn square_root(&self) -> Option<Fraction> {
         if self.sign() == Ordering::Less {
             return None;
+        }
+        if let Some((n, d)) = self.as_small() {
+            let root = |number: i64| Some(number.isqrt()).filter(|root| root * root == number);
+            return Some(Fraction(Repr::Small(root(n)?, root(d)?)));
         }
         let numerator = exact_root(&self.numerator())?;
         let denominator = exact_root(&self.denominator())?;

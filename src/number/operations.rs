@@ -71,7 +71,8 @@ impl Mul for &Value {
                 if number.is_zero() {
                     return Value::ZERO;
                 }
-                let terms = compound.terms.iter().map(|(key, p)| (key.clone(), p.scaled(number))).collect();
+                let scaled = compound.terms.iter().map(|(key, p)| (key.clone(), p.scaled(number))).collect();
+                let terms = Terms::from_sorted_store_unchecked(scaled);
                 let denominator = compound.denominator.clone();
                 return Value::Compound(Arc::new(Compound { terms, denominator }));
             }

@@ -5,8 +5,6 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu_int::IBig;
-use dashu_int::ops::{Abs, Gcd};
 use smallvec::{SmallVec, smallvec};
 
 use super::{Fraction, Letter};
@@ -97,10 +95,13 @@ impl Polynomial {
 
     /// Its letters, sorted.
     pub fn letters(&self) -> Vec<Letter> {
-        let mut letters: Vec<Letter> =
-            self.terms.iter().flat_map(|(m, _)| m.iter().map(|(letter, _)| *letter)).collect();
+        let mut letters = Vec::new();
+        for (letter, _) in self.terms.iter().flat_map(|(monomial, _)| monomial) {
+            if !letters.contains(letter) {
+                letters.push(*letter);
+            }
+        }
         letters.sort();
-        letters.dedup();
         letters
     }
 
@@ -124,13 +125,14 @@ impl Polynomial {
 
     /// The coefficients of the powers 0, 1, 2, … of a letter.
     pub fn coefficients(&self, letter: Letter) -> Vec<Polynomial> {
-        let mut coefficients = vec![Vec::new(); self.degree(letter) as usize + 1];
+        let mut coefficients = vec![Polynomial::zero(); self.degree(letter) as usize + 1];
         for (monomial, value) in &self.terms {
             let power = exponent(monomial, letter);
             let rest = monomial.iter().filter(|(other, _)| *other != letter).copied().collect();
-            coefficients[power as usize].push((rest, value.clone()));
+            // Products with the same power of the letter keep their order without it.
+            coefficients[power as usize].terms.push((rest, value.clone()));
         }
-        coefficients.into_iter().map(Polynomial::from_terms).collect()
+        coefficients
     }
 
     /// The polynomial whose coefficients of the powers 0, 1, 2, … of a letter are given.
@@ -157,18 +159,9 @@ impl Polynomial {
 
     /// The positive number that leaves coprime whole coefficients when divided out; one for nought.
     pub fn content(&self) -> Fraction {
-        let mut numerator = IBig::ZERO;
-        let mut denominator = IBig::ONE;
-        for (_, value) in &self.terms {
-            let (n, d) = (value.numerator().abs(), value.denominator());
-            numerator = if numerator == IBig::ZERO { n } else { numerator.gcd(n).into() };
-            let shared: IBig = (&denominator).gcd(&d).into();
-            denominator = denominator / shared * d;
-        }
-        if numerator == IBig::ZERO {
-            return Fraction::ONE;
-        }
-        Fraction::from_integers(numerator, denominator).expect("a product of denominators is positive")
+        let numbers = self.terms.iter().map(|(_, number)| number);
+        let shared = numbers.fold(Fraction::ZERO, |shared, number| shared.common_measure(number));
+        if shared.is_zero() { Fraction::ONE } else { shared }
     }
 
     /// Whole coprime coefficients, the last term's positive.

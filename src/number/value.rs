@@ -151,7 +151,14 @@ impl Value {
 
     /// How many nested roots stand inside each other in it.
     pub(crate) fn depth(&self) -> u32 {
-        self.roots().iter().map(Root::depth).max().unwrap_or(0)
+        let Value::Compound(compound) = self else { return 0 };
+        compound.terms.keys().flatten().map(Root::depth).max().unwrap_or(0)
+    }
+
+    /// The last of the nested roots in it, by which it is decided what it is.
+    pub(super) fn last_nested(&self) -> Option<&Root> {
+        let Value::Compound(compound) = self else { return None };
+        compound.terms.keys().flatten().filter(|root| root.depth() > 0).max()
     }
 
     /// A quotient of two polynomials, the second not nought.
@@ -267,12 +274,16 @@ impl Value {
         match self {
             Value::Rational(_) => 1,
             Value::Compound(compound) => {
+                let above: usize = compound.terms.values().map(|p| p.terms().len()).sum();
+                let without_nested = above + compound.denominator.terms().len();
+                if self.last_nested().is_none() {
+                    return without_nested;
+                }
                 let nested = self.roots().into_iter().map(|root| match root {
                     Root::Nested { radicand, .. } => radicand.terms(),
                     _ => 0,
                 });
-                let above: usize = compound.terms.values().map(|p| p.terms().len()).sum();
-                above + compound.denominator.terms().len() + nested.sum::<usize>()
+                without_nested + nested.sum::<usize>()
             }
         }
     }
