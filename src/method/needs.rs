@@ -107,6 +107,13 @@ pub struct Needs(u16);
 impl Needs {
     /// What an impact needs.
     pub fn of(impact: &Impact<Value>, wanted: Wanted) -> Needs {
+        let mut needs = Needs::but_for_polynomials(impact, wanted);
+        needs.add_if(Need::BeyondPolynomials, !polynomials::accepts(impact));
+        needs
+    }
+
+    /// The same without [`Need::BeyondPolynomials`]: to see that, the impact is solved.
+    pub(super) fn but_for_polynomials(impact: &Impact<Value>, wanted: Wanted) -> Needs {
         let mut needs = Needs::geometry(impact);
         let rational = |value: &Value| value.as_fraction().is_some();
         let coefficients = |value: &Value| super::elements::coefficients(value);
@@ -125,7 +132,6 @@ impl Needs {
             needs.add_if(Need::ManyThings, linear_forms::elements(impact).is_none());
         }
         needs.add_if(Need::OutsideField, !impact.numbers().all(in_field));
-        needs.add_if(Need::BeyondPolynomials, !polynomials::accepts(impact));
         needs.add_if(Need::Large, !needs.fits(impact));
         needs
     }

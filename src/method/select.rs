@@ -150,14 +150,17 @@ pub struct Selection {
     pub geometry: Geometry,
     /// Which numbers.
     pub numbers: Numbers,
-    /// What the scene needs.
+    /// What the scene needs; of polynomials only where no cheaper tier suffices.
     pub needs: Needs,
 }
 
 impl Selection {
     /// The least that suffices.
     pub fn of(impact: &Impact<Value>, wanted: Wanted) -> Selection {
-        let needs = Needs::of(impact, wanted);
+        let mut needs = Needs::but_for_polynomials(impact, wanted);
+        if Numbers::least(needs) >= Numbers::Polynomials {
+            needs = Needs::of(impact, wanted);
+        }
         Selection { geometry: Geometry::least(needs), numbers: Numbers::least(needs), needs }
     }
 
