@@ -1,7 +1,5 @@
 //! How long it takes to work out what every slip leads to in a question, and to look an answer up.
 
-use std::collections::BTreeMap;
-
 use carom::expr::Angles;
 use carom::mark::reading::{Vocabulary, read_answer};
 use carom::mark::slips::{Asked, Mistakes};
@@ -23,8 +21,7 @@ fn posed(question: &str) -> (Known<Value>, Vec<Letter>) {
         "B": {"speed": "2", "angle_deg": "120"}}, "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "1/3",
         "symbols": {"u": "positive"} });
     let text: SceneText = serde_json::from_value(scene).expect("a scene");
-    let scene =
-        Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|_| panic!("the scene has faults"));
+    let scene = Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|_| panic!("the scene has faults"));
     let letters = if question == "letter" { scene.letters.clone() } else { Vec::new() };
     (pose(&scene).unwrap_or_else(|refusal| panic!("{refusal}")), letters)
 }

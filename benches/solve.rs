@@ -1,7 +1,5 @@
 //! How long it takes to solve one collision, by the kind of its numbers.
 
-use std::collections::BTreeMap;
-
 use carom::expr::Angles;
 use carom::mechanics::{Quantity, Scene, SceneText};
 use carom::solve::{Solution, solve_all};
@@ -14,7 +12,7 @@ fn main() {
 
 fn scene(json: Json) -> Scene {
     let text: SceneText = serde_json::from_value(json).expect("a scene");
-    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|_| panic!("the scene has faults"))
+    Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|_| panic!("the scene has faults"))
 }
 
 fn solved(scene: &Scene, asked: &[Quantity]) -> Vec<Solution> {

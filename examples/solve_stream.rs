@@ -1,7 +1,6 @@
 //! Scenes as JSON, one a line, from stdin; one line of JSON for each to stdout: the quantities named as arguments, or
 //! without arguments all that the scene determines.
 
-use std::collections::BTreeMap;
 use std::io::{self, BufRead, Write};
 use std::time::Instant;
 
@@ -28,7 +27,7 @@ fn answer(line: &str, asked: &[Quantity]) -> Json {
         Ok(text) => text,
         Err(fault) => return json!({ "unreadable": fault.to_string() }),
     };
-    let scene = match Scene::read(&text, &BTreeMap::new(), Angles::Radians) {
+    let scene = match Scene::read(&text, &(), Angles::Radians) {
         Ok(scene) => scene,
         Err(faults) => {
             let one = |fault: &carom::mechanics::SceneFault| format!("{}: {}", fault.field, fault.fault.message);

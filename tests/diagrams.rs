@@ -11,7 +11,7 @@ use serde_json::{Value as Json, json};
 
 fn scene(text: &Json) -> Scene {
     let text: SceneText<String> = serde_json::from_value(text.clone()).unwrap();
-    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{text:?}: {faults:?}"))
+    Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|faults| panic!("{text:?}: {faults:?}"))
 }
 
 fn drawn(text: &Json, vectors: bool) -> Vec<Diagram> {

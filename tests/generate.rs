@@ -142,7 +142,7 @@ fn carom_sets_the_reference_numbers_as_they_are() {
     let question = question(HEAD_ON);
     let variant = reference(&question).unwrap();
     assert_eq!(numbers(&variant), ["7", "15", "1", "1/4"]);
-    assert_eq!(print::plain(&variant.givens.shown["k"]), "8");
+    assert_eq!(print::plain(variant.givens.shown("k").unwrap()), "8");
     // (7 - 2) 15 / 15 = 5 along the line of centres, 1 across.
     let speed = variant.solution.exact("A.after.speed".parse().unwrap()).unwrap();
     assert_eq!(print::plain(&speed), "sqrt(26)");

@@ -290,7 +290,7 @@ fn scene(question: &str) -> Scene {
         scene["after"]["A"] = json!(["4", "3"]);
     }
     let text: SceneText = serde_json::from_value(scene).unwrap();
-    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{question}: {faults:?}"))
+    Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|faults| panic!("{question}: {faults:?}"))
 }
 
 /// Models of every shape that the bank's answers have.

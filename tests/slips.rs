@@ -3,7 +3,7 @@
 //! `tests/data/slip-values.json` holds those values, found with formulas of their own. Its names are in capitals; `SLIPS`
 //! says which slip of Carom each of them is, and `OTHERWISE` where it means another working, and why.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -155,7 +155,7 @@ fn every_slip_of_every_law_shows_somewhere() {
     let two_impacts = r#"{ "masses": { "A": "4", "B": "2" }, "before": { "A": "9", "B": "0" }, "e": "1/2",
         "then": [{ "of": ["B", "C"], "mass": "4", "before": "0", "e": "2/3" }] }"#;
     for (given, asked) in [(an_impulse, "A.after.speed"), (two_impacts, "second.C.after.speed")] {
-        let scene = Scene::read(&serde_json::from_str::<SceneText>(given).unwrap(), &BTreeMap::new(), Angles::Radians);
+        let scene = Scene::read(&serde_json::from_str::<SceneText>(given).unwrap(), &(), Angles::Radians);
         let given = pose(&scene.unwrap()).unwrap();
         let mut carried = Carried::on(Road::Shortest, &given, &[asked.parse().unwrap()]);
         silent.retain(|owned| carried.again(&[MadeSlip::everywhere(*owned)], &[], |_, trace| trace.slipped.is_empty()));
@@ -360,7 +360,7 @@ fn posed(exercise: &str) -> Known<Value> {
         scene["after"]["A"] = serde_json::json!(["4", "3"]);
     }
     let text: SceneText = serde_json::from_value(scene).unwrap();
-    let scene = Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let scene = Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|faults| panic!("{faults:?}"));
     let mut known = pose(&scene).unwrap_or_else(|refusal| panic!("{refusal:?}"));
     if id == "5C-16" {
         // There e is a letter; the data takes a half for it.

@@ -1,18 +1,24 @@
 //! Numbers in place of a question's parameters and derived names.
 
-use std::collections::BTreeMap;
-
 use super::question::Style;
 use crate::expr::{Expr, Fault, Function, Meaning, Turn, evaluate, written};
-use crate::mechanics::SceneText;
+use crate::mechanics::{Parameters, SceneText};
 use crate::number::{Angle, Letter, Range, Value};
 
 /// What every given name of a style stands for, in one variant.
 #[derive(Clone, Debug, Default)]
 pub struct Givens {
-    /// As it is printed: parameters as they stand in their domain, derived names in their simplest form.
-    pub shown: BTreeMap<String, Expr>,
-    meanings: BTreeMap<String, Meaning>,
+    // There are few, and a later one hides an earlier one of the same name.
+    names: Vec<GivenName>,
+}
+
+#[derive(Clone, Debug)]
+struct GivenName {
+    name: String,
+    /// As it is printed: a parameter as it stands in its domain, a derived name in its simplest form. A letter of the scene
+    /// stands for itself.
+    shown: Option<Expr>,
+    meaning: Meaning,
 }
 
 impl Givens {
@@ -22,36 +28,81 @@ impl Givens {
     ///
     /// The first formula without a value, with its name: a division by nought, a root of a negative number.
     pub fn new(style: &Style, parameters: &[(String, Expr)], scene: &SceneText) -> Result<Givens, (String, Fault)> {
-        let mut givens = Givens::default();
+        Givens::with_meanings(style, parameters, scene, &|_| None)
+    }
+
+    /// The same, where the meanings of some parameters are known already, by their places.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Givens::new`].
+    pub fn with_meanings(
+        style: &Style,
+        parameters: &[(String, Expr)],
+        scene: &SceneText,
+        known: &dyn Fn(usize) -> Option<Meaning>,
+    ) -> Result<Givens, (String, Fault)> {
+        let mut givens =
+            Givens { names: Vec::with_capacity(scene.symbols.len() + parameters.len() + style.lets.len()) };
         for (name, range) in &scene.symbols {
-            givens.meanings.extend(letter(name, range).map(|meaning| (name.clone(), meaning)));
+            givens.names.extend(letter(name, range).map(|meaning| GivenName {
+                name: name.clone(),
+                shown: None,
+                meaning,
+            }));
         }
-        for (name, expr) in parameters {
-            let meaning = evaluate(expr, &|name| givens.meaning(name)).map_err(|fault| (name.clone(), fault))?;
-            givens.meanings.insert(name.clone(), meaning);
-            givens.shown.insert(name.clone(), expr.clone());
+        for (place, (name, expr)) in parameters.iter().enumerate() {
+            let meaning = known(place).map_or_else(|| evaluate(expr, &|name| givens.meaning(name)), Ok);
+            givens.add(name, Some(expr.clone()), meaning)?;
         }
         for (name, expr) in &style.lets {
-            let meaning = evaluate(expr, &|name| givens.meaning(name)).map_err(|fault| (name.clone(), fault))?;
-            let typed = expr.substitute(&|name| givens.shown.get(name).cloned());
+            let meaning = evaluate(expr, &|name| givens.meaning(name));
+            let typed = || expr.substitute(&|name| givens.shown(name).cloned());
             let shown = match &meaning {
-                Meaning::Number(value) => in_order_of(&typed, written(value)),
-                _ => typed,
+                Ok(Meaning::Number(value)) => match written(value) {
+                    product @ Expr::Product(_) => in_order_of(&typed(), product),
+                    simple => simple,
+                },
+                _ => typed(),
             };
-            givens.meanings.insert(name.clone(), meaning);
-            givens.shown.insert(name.clone(), shown);
+            givens.add(name, Some(shown), meaning)?;
         }
         Ok(givens)
     }
 
+    fn add(&mut self, name: &str, shown: Option<Expr>, meaning: Result<Meaning, Fault>) -> Result<(), (String, Fault)> {
+        let meaning = meaning.map_err(|fault| (name.to_owned(), fault))?;
+        self.names.push(GivenName { name: name.to_owned(), shown, meaning });
+        Ok(())
+    }
+
+    fn named(&self, name: &str) -> impl Iterator<Item = &GivenName> {
+        self.names.iter().rev().filter(move |given| given.name == name)
+    }
+
+    /// How a parameter or derived name is printed.
+    pub fn shown(&self, name: &str) -> Option<&Expr> {
+        self.named(name).find_map(|given| given.shown.as_ref())
+    }
+
     /// What a parameter, derived name or letter stands for.
     pub fn meaning(&self, name: &str) -> Option<Meaning> {
-        self.meanings.get(name).cloned()
+        self.named(name).next().map(|given| given.meaning.clone())
     }
 
     /// Is it a parameter, derived name or letter?
     pub fn contains(&self, name: &str) -> bool {
-        self.meanings.contains_key(name)
+        self.named(name).next().is_some()
+    }
+}
+
+impl Parameters for Givens {
+    fn shown(&self, name: &str) -> Option<&Expr> {
+        self.shown(name)
+    }
+
+    fn meaning(&self, name: &str) -> Option<Meaning> {
+        self.meaning(name)
     }
 }
 

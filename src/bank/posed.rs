@@ -47,7 +47,7 @@ impl Posed {
     ///
     /// As for [`Posed::new`].
     pub fn for_wanted(question: &Question, wanted: &[Quantity], givens: Arc<Givens>) -> Result<Posed, Unposed> {
-        let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
+        let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
         let solution = solve(&scene, wanted).map_err(Unposed::Refused)?;
         Ok(Posed { givens, scene: Arc::new(scene), solution: Arc::new(solution) })
     }
@@ -63,7 +63,7 @@ impl Posed {
         wanted: &[Quantity],
         givens: Arc<Givens>,
     ) -> Result<Option<Posed>, Unposed> {
-        let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
+        let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
         let mut solutions = solve_all(&scene, wanted).map_err(Unposed::Refused)?;
         let only = solutions.pop().filter(|_| solutions.is_empty());
         Ok(only.map(|solution| Posed { givens, scene: Arc::new(scene), solution: Arc::new(solution) }))

@@ -43,7 +43,7 @@ pub fn read_scene(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
         SceneFile::read(&Spanned::new(span, DeValue::Table(document.into_inner())), &mut faults)
     });
     if let (Some(file), true) = (file, faults.found.is_empty()) {
-        let found = Scene::read(&file.text, &BTreeMap::new(), Angles::Radians);
+        let found = Scene::read(&file.text, &(), Angles::Radians);
         let amiss = scene_names(&file.text);
         match if amiss.is_empty() { found } else { found.and(Err(amiss)) } {
             Ok(scene) => return Ok(scene),

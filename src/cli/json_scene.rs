@@ -1,6 +1,5 @@
 //! A scene in JSON, with the place of every fault in the file.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::json_places::{offset, places};
@@ -37,7 +36,7 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
         return Err(vec![fault]);
     }
     let places: Vec<_> = of_all.into_iter().filter(|(_, place)| is_words(place)).collect();
-    let faults = match (Scene::read(&text, &BTreeMap::new(), Angles::Radians), scene_names(&text)) {
+    let faults = match (Scene::read(&text, &(), Angles::Radians), scene_names(&text)) {
         (Ok(scene), amiss) if amiss.is_empty() => {
             let weightless = weightless(&scene, &text);
             if weightless.is_empty() {

@@ -38,7 +38,7 @@ pub fn reference_faults(question: &Question) -> Vec<Finding> {
 
 /// Solves the scene of a key by itself; what is not as in the key.
 fn again(question: &Question, key: &KeyQuestion) -> Option<String> {
-    let Ok(scene) = Scene::read(&key.scene, &Default::default(), Angles::Radians) else {
+    let Ok(scene) = Scene::read(&key.scene, &(), Angles::Radians) else {
         return Some("the scene of its key cannot be read".to_owned());
     };
     let solution = match solve(&scene, &question.asked()) {

@@ -110,8 +110,10 @@ impl<'s> Numbers<'s> {
 
     /// What its names stand for, or the first that has no value.
     pub(super) fn givens(&self) -> Result<&Arc<Givens>, &str> {
-        let (question, style) = (self.sieve.question, self.sieve.style);
-        let givens = || Givens::new(style, self.parameters(), &question.scene).map(Arc::new).map_err(|(name, _)| name);
+        let (question, style, parameters) = (self.sieve.question, self.sieve.style, self.parameters());
+        let known = |place: usize| self.sieve.meaning(self.index, place, &parameters[place].1);
+        let givens = || Givens::with_meanings(style, parameters, &question.scene, &known);
+        let givens = || givens().map(Arc::new).map_err(|(name, _)| name);
         self.givens.get_or_init(givens).as_ref().map_err(String::as_str)
     }
 

@@ -5,12 +5,13 @@
 //! the first set with these values comes along. The same is done for the question whether a derived name has a value.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 use super::numbers::Numbers;
 use super::variant::Unfit;
 use crate::bank::{Question, Requirement, Style};
-use crate::expr::Expr;
+use crate::expr::{Expr, Meaning, evaluate};
 use crate::mechanics::Quantity;
 
 /// A table with more entries is not made: it would be filled in hardly faster than it is looked up.
@@ -28,6 +29,8 @@ pub struct Sieve<'q> {
     named: Vec<(&'q str, Table)>,
     /// Does a requirement hold? None where it is on results.
     holds: Vec<Option<Table>>,
+    /// What the values of each parameter mean, worked out when they are first met; none where that depends on others.
+    meanings: Vec<(Digit, Vec<OnceLock<Option<Meaning>>>)>,
 }
 
 impl<'q> Sieve<'q> {
@@ -52,7 +55,11 @@ impl<'q> Sieve<'q> {
             (!on_results).then(|| depends.table(names, most))
         };
         let holds = style.require.iter().map(table).collect();
-        Sieve { question, style, wanted: question.wanted(style), named, holds }
+        let meanings = depends.digits.iter().zip(&style.parameters).map(|(digit, (_, domain))| {
+            let is_kept = digit.size <= most && domain.formulas().iter().all(|formula| formula.names().is_empty());
+            (*digit, (0..if is_kept { digit.size } else { 0 }).map(|_| OnceLock::new()).collect())
+        });
+        Sieve { question, style, wanted: question.wanted(style), named, holds, meanings: meanings.collect() }
     }
 
     /// Are the sets of another style the same, and solved for the same?
@@ -84,6 +91,13 @@ impl<'q> Sieve<'q> {
             }
         }
         numbers.givens().is_ok()
+    }
+
+    /// What a parameter of a set means, by its place, if that is remembered.
+    pub(super) fn meaning(&self, index: u64, place: usize, value: &Expr) -> Option<Meaning> {
+        let (digit, meanings) = self.meanings.get(place)?;
+        let meaning = meanings.get(usize::try_from(digit.of(index)).ok()?)?;
+        meaning.get_or_init(|| evaluate(value, &|_| None).ok()).clone()
     }
 
     /// The requirements on givens that do not hold, in their order. They are tried as they are asked for.
@@ -132,6 +146,12 @@ impl<'q> Sieve<'q> {
 struct Digit {
     stride: u64,
     size: u64,
+}
+
+impl Digit {
+    fn of(self, index: u64) -> u64 {
+        index / self.stride % self.size
+    }
 }
 
 /// The parameters of a style, and on which of them each name depends, by their places.
@@ -188,7 +208,7 @@ struct Table {
 
 impl Table {
     fn entry(&self, index: u64) -> Option<&AtomicU8> {
-        let place = self.digits.iter().fold(0, |place, digit| place * digit.size + index / digit.stride % digit.size);
+        let place = self.digits.iter().fold(0, |place, digit| place * digit.size + digit.of(index));
         self.entries.get(usize::try_from(place).ok()?)
     }
 

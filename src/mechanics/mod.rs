@@ -44,7 +44,7 @@ pub use quantity::{Axis, Moment, Quantity, Sphere, UnknownQuantity};
 pub use range::Values;
 pub use refusal::{Because, Refusal};
 pub use scene::{Condition, Contact, Given, Scene, Then, Velocity};
-pub use scene_reader::SceneFault;
+pub use scene_reader::{Parameters, SceneFault};
 pub use scene_text::{Pair, PolarText, SceneText, Sense, ThenText, VelocityText};
 pub use seen::{Seen, Shape};
 pub use setting::{Setting, with_letter_of_restitution};

@@ -1,7 +1,5 @@
 //! The key of a paper: everything that a marker needs, in the exchange format.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
@@ -9,7 +7,7 @@ use super::answer::{self, Size};
 use super::working::{self, WorkedPart};
 use super::{PrintedPart, PrintedQuestion, Sheet, compose, scheme};
 use crate::answer::Kind;
-use crate::bank::{Answer, EarnedFor, Find, Question};
+use crate::bank::{Answer, EarnedFor, Find, Givens, Question};
 use crate::diagram::Manner;
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
@@ -157,7 +155,7 @@ pub fn key_question(question: &Question, variant: &Variant, printed: &PrintedQue
         mirrors: question.mirrors.clone(),
         style: variant.style.name().to_owned(),
         parameters: variant.parameters.iter().map(|(name, value)| (name.clone(), plain(value))).collect(),
-        scene: scene(&question.scene, &variant.givens.shown),
+        scene: scene(&question.scene, &variant.givens),
         parts: parts.collect(),
     }
 }
@@ -232,9 +230,9 @@ fn reference(find: &Find) -> Option<&'static str> {
 
 /// The scene with numbers in place of parameters. The words of a bank are in degrees, the exchange format in
 /// radians.
-pub fn scene(scene: &SceneText, shown: &BTreeMap<String, Expr>) -> SceneText {
+pub fn scene(scene: &SceneText, givens: &Givens) -> SceneText {
     let text = |text: &String| match read(text, Angles::Degrees) {
-        Ok(expr) => print::plain(&expr.substitute(&|name| shown.get(name).cloned())),
+        Ok(expr) => print::plain(&expr.substitute(&|name| givens.shown(name).cloned())),
         Err(_) => text.clone(),
     };
     let pair = |[x, y]: &[String; 2]| [text(x), text(y)];

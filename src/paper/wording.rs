@@ -52,17 +52,17 @@ fn is_one_degree(expr: &Expr) -> bool {
 /// A formula with numbers in place of names. A name alone is printed as its number was written; a longer
 /// formula is worked out.
 pub fn filled(expr: &Expr, variant: &Variant) -> Expr {
-    let shown = &variant.givens.shown;
+    let givens = &variant.givens;
     match expr {
-        Expr::Name(name) => shown.get(&name.text).cloned().unwrap_or_else(|| expr.clone()),
+        Expr::Name(name) => givens.shown(&name.text).cloned().unwrap_or_else(|| expr.clone()),
         Expr::Vector(x, y) => Expr::Vector(Box::new(filled(x, variant)), Box::new(filled(y, variant))),
         Expr::Relation(left, relation, right) => {
             Expr::Relation(Box::new(filled(left, variant)), *relation, Box::new(filled(right, variant)))
         }
-        _ if !expr.names().iter().any(|name| shown.contains_key(&name.text)) => expr.clone(),
+        _ if !expr.names().iter().any(|name| givens.shown(&name.text).is_some()) => expr.clone(),
         _ => match evaluate(expr, &|name| variant.givens.meaning(name)) {
             Ok(Meaning::Number(value)) => written(&value),
-            _ => expr.substitute(&|name| shown.get(name).cloned()),
+            _ => expr.substitute(&|name| givens.shown(name).cloned()),
         },
     }
 }

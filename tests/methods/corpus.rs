@@ -1,7 +1,5 @@
 //! Impacts of every kind: the seed, the bank's reference numbers, and a grid of values that meet and miss each tier's needs.
 
-use std::collections::BTreeMap;
-
 use carom::bank::Bank;
 use carom::expr::{Angles, Meaning, Turn, number, read};
 use carom::generate::reference;
@@ -42,7 +40,7 @@ pub fn of_questions() -> Vec<(String, Impact<Value>)> {
     let mut impacts = Vec::new();
     for case in seed["cases"].as_array().unwrap().iter().filter(|case| case["feasible"] == true) {
         let text: SceneText = serde_json::from_value(case["scene"].clone()).unwrap();
-        let scene = Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|_| panic!("{case}"));
+        let scene = Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|_| panic!("{case}"));
         let solutions = solve_all(&scene, &Quantity::all()).unwrap();
         impacts.extend(solutions.iter().filter_map(|solution| solution.impact()).map(|i| (case["id"].to_string(), i)));
     }

@@ -210,7 +210,7 @@ pub fn each_by_itself(chain: &Solution, asked: &[(Quantity, Accept)], judge: Jud
 }
 
 fn read(text: &SceneText) -> Scene {
-    Scene::read(text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{faults:?}\n{}", json(text)))
+    Scene::read(text, &(), Angles::Radians).unwrap_or_else(|faults| panic!("{faults:?}\n{}", json(text)))
 }
 
 fn json(text: &SceneText) -> String {

@@ -62,7 +62,7 @@ impl Forward {
 
 pub fn read(json: &Json) -> Scene {
     let text: SceneText = serde_json::from_value(json.clone()).unwrap_or_else(|fault| panic!("{fault}\n{json}"));
-    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{faults:?}\n{json}"))
+    Scene::read(&text, &(), Angles::Radians).unwrap_or_else(|faults| panic!("{faults:?}\n{json}"))
 }
 
 /// A scene in which the spheres approach; the line of centres is turned round where they would not.

@@ -146,7 +146,7 @@ fn refused(
     scene: &SceneFile,
     faults: &mut Faults,
 ) {
-    let Ok(read) = Scene::read(&question.scene, &givens.shown, Angles::Degrees) else { return };
+    let Ok(read) = Scene::read(&question.scene, givens, Angles::Degrees) else { return };
     // If the collision itself is sound, each quantity that is left open is a fault of its own.
     if refusal.because == Because::Underdetermined && solve(&read, &[]).is_ok() && open(&read, question, file, faults) {
         return;
@@ -177,7 +177,7 @@ fn unknown_meant(refusal: &Refusal, question: &Question, givens: &Givens) -> Opt
     let is_open = refusal.because == Because::Impossible && scene.unknowns.is_empty() && scene.conditions.is_empty();
     let possible = |letter: &&String| {
         let with_unknown = SceneText { unknowns: vec![(*letter).clone()], ..scene.clone() };
-        Scene::read(&with_unknown, &givens.shown, Angles::Degrees).is_ok_and(|scene| solve(&scene, &[]).is_ok())
+        Scene::read(&with_unknown, givens, Angles::Degrees).is_ok_and(|scene| solve(&scene, &[]).is_ok())
     };
     let letter = scene.symbols.keys().filter(|_| is_open).find(possible)?;
     Some(format!("if `{letter}` is to be found, write `unknowns = [\"{letter}\"]` in `[scene]`"))

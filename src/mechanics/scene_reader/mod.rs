@@ -1,20 +1,20 @@
 //! Reads a scene: every expression evaluated, every fault kept with its field.
 
 mod contact;
+mod formulas;
 mod letters;
 mod then;
+mod velocities;
 
-use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use letters::known_letters;
 
 use super::Sphere;
 use super::scene::{Condition, Given, Scene, Velocity};
-use super::scene_text::{Pair, SceneText, VelocityText};
+use super::scene_text::SceneText;
 use super::setting::Setting;
-use crate::expr::{
-    Angles, Expr, Fault, Meaning, Relation, Span, Turn, degrees, evaluate, number, print, read, written,
-};
+use crate::expr::{Angles, Expr, Fault, Meaning, Relation, Span, Turn, number, written};
 use crate::number::{Angle, Letter, Range, Value};
 
 /// A fault in one expression of a scene.
@@ -26,15 +26,6 @@ pub struct SceneFault {
     pub fault: Fault,
     /// Is it wrong whatever the numbers are?
     pub is_of_the_form: bool,
-}
-
-/// Is it a decimal number? What was given as one is shown as one, also in the working.
-fn is_decimal(expr: &Expr) -> bool {
-    match expr {
-        Expr::Decimal(_) => true,
-        Expr::Negative(inner) => is_decimal(inner),
-        _ => false,
-    }
 }
 
 /// Formulas in a scene may not be longer than this; their derived quantities grow with the square.
@@ -49,6 +40,26 @@ fn given_angles(value: &Value) -> usize {
     value.letters().iter().filter(|letter| letter.is_constant()).count()
 }
 
+/// What names in a scene stand for that are no letters of it: the parameters of a question, with the numbers of a variant.
+/// A scene on its own has none, and is read with `&()`.
+pub trait Parameters {
+    /// A parameter as it is printed.
+    fn shown(&self, name: &str) -> Option<&Expr>;
+
+    /// What it stands for.
+    fn meaning(&self, name: &str) -> Option<Meaning>;
+}
+
+impl Parameters for () {
+    fn shown(&self, _: &str) -> Option<&Expr> {
+        None
+    }
+
+    fn meaning(&self, _: &str) -> Option<Meaning> {
+        None
+    }
+}
+
 impl Scene {
     /// Reads every expression of a scene. Names stand for parameters, or for the scene's letters;
     /// in the words of a bank question a bare trigonometric argument is in degrees.
@@ -58,7 +69,7 @@ impl Scene {
     /// Every fault of the scene, each with the field it is in.
     pub fn read<S: AsRef<str>>(
         text: &SceneText<S>,
-        parameters: &BTreeMap<String, Expr>,
+        parameters: &dyn Parameters,
         angles: Angles,
     ) -> Result<Scene, Vec<SceneFault>> {
         let mut reader = Reader { parameters, angles, letters: Vec::new(), faults: Vec::new() };
@@ -68,7 +79,7 @@ impl Scene {
 }
 
 struct Reader<'a> {
-    parameters: &'a BTreeMap<String, Expr>,
+    parameters: &'a dyn Parameters,
     angles: Angles,
     letters: Vec<Letter>,
     faults: Vec<SceneFault>,
@@ -148,9 +159,10 @@ impl Reader<'_> {
         self.fault(field, Fault::new(format!("{message} `{text}`"), span, expected));
     }
 
-    fn expression(&mut self, text: &str, field: &str) -> Option<Expr> {
-        match read(text, self.angles) {
-            Ok(expr) => Some(expr.substitute(&|name| self.parameters.get(name).cloned())),
+    /// A formula as it stands, in names.
+    fn formula(&mut self, text: &str, field: &str) -> Option<Rc<Expr>> {
+        match formulas::read(text, self.angles) {
+            Ok(expr) => Some(expr),
             Err(fault) => {
                 self.fault(field, fault);
                 None
@@ -158,10 +170,29 @@ impl Reader<'_> {
         }
     }
 
+    /// The same with parameters as they are printed.
+    fn filled(&self, formula: &Expr) -> Expr {
+        formula.substitute(&|name| self.parameters.shown(name).cloned())
+    }
+
+    /// What a name stands for.
+    fn meaning(&self, name: &str) -> Option<Meaning> {
+        self.parameters.meaning(name).or_else(|| meaning(&self.letters, name))
+    }
+
+    /// Is it a decimal number? What was given as one is shown as one, also in the working.
+    fn is_decimal(&self, formula: &Expr) -> bool {
+        match formula {
+            Expr::Decimal(_) => true,
+            Expr::Negative(inner) => self.is_decimal(inner),
+            Expr::Name(name) => self.parameters.shown(&name.text).is_some_and(|shown| self.is_decimal(shown)),
+            _ => false,
+        }
+    }
+
     fn value(&mut self, text: &str, field: &str) -> Option<Given> {
-        let expr = self.expression(text, field)?;
-        let letters = &self.letters;
-        match number(&expr, &|name| meaning(letters, name)) {
+        let formula = self.formula(text, field)?;
+        match number(&formula, &|name| self.meaning(name)) {
             Ok(value) if value.terms() > MOST_TERMS => {
                 self.whole_fault(field, text, "too long a formula", "a shorter one");
                 None
@@ -179,8 +210,8 @@ impl Reader<'_> {
                 None
             }
             Ok(value) => {
-                let worked_out = value.as_fraction().is_some() && !is_decimal(&expr);
-                let shown = if worked_out { written(&value) } else { expr };
+                let worked_out = value.as_fraction().is_some() && !self.is_decimal(&formula);
+                let shown = if worked_out { written(&value) } else { self.filled(&formula) };
                 Some(Given { value, shown })
             }
             Err(fault) => {
@@ -225,104 +256,6 @@ impl Reader<'_> {
         Some([x?, y?])
     }
 
-    fn velocities<S: AsRef<str>>(&mut self, pair: &Pair<VelocityText<S>>, moment: &str) -> [Option<Velocity>; 2] {
-        [(&pair.a, "A"), (&pair.b, "B")].map(|(velocity, sphere)| {
-            let field = format!("{moment}.{sphere}");
-            self.velocity(velocity.as_ref()?, &field)
-        })
-    }
-
-    /// The components of a vector that was typed as one text, `4i + j`.
-    fn vector_in_words(&self, text: &str) -> Option<[String; 2]> {
-        let expr = read(text, self.angles).ok()?.substitute(&|name| self.parameters.get(name).cloned());
-        match evaluate(&expr, &|name| meaning(&self.letters, name)) {
-            Ok(Meaning::Vector(x, y)) => Some([x, y].map(|part| print::plain(&written(&part)))),
-            _ => None,
-        }
-    }
-
-    /// Is a velocity one number, along a line? A vector in one text is a fault of its own.
-    fn is_along<S: AsRef<str>>(&self, velocity: &VelocityText<S>) -> bool {
-        matches!(velocity, VelocityText::Along(text) if self.vector_in_words(text.as_ref()).is_none())
-    }
-
-    /// A fault of one number among vectors.
-    fn along_among_others(&mut self, field: &str) {
-        let expected = "expected `[\"x\", \"y\"]`, as the others are in a plane";
-        let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
-        self.misfit(field, "a velocity along a line among others in a plane", expected, help);
-    }
-
-    fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
-        let polar = match text {
-            VelocityText::Along(velocity) => {
-                if let Some([x, y]) = self.vector_in_words(velocity.as_ref()) {
-                    let expected = format!("`[\"{x}\", \"{y}\"]`");
-                    self.whole_fault(field, velocity.as_ref(), "a vector in one text", &expected);
-                    self.help("write the components along i and along j as a list of two texts");
-                    return None;
-                }
-                return Some(Velocity::Components(self.value(velocity.as_ref(), field)?, Given::nought()));
-            }
-            VelocityText::Components(components) => {
-                let [x, y] = self.pair(components, field)?;
-                return Some(Velocity::Components(x, y));
-            }
-            VelocityText::Polar(polar) => polar,
-        };
-        let speed = self.value(polar.speed.as_ref(), &format!("{field}.speed"));
-        if speed.as_ref().is_some_and(|speed| speed.value.sign().is_some_and(|sign| sign.is_lt())) {
-            self.whole_fault(
-                &format!("{field}.speed"),
-                polar.speed.as_ref(),
-                "a negative speed",
-                "a speed, not negative",
-            );
-            self.help("leave the sign out, and turn the direction round by 180° if it is meant to be the opposite one");
-        }
-        match (&polar.angle_deg, &polar.cos, &polar.sin) {
-            (Some(angle), None, None) => {
-                let field = format!("{field}.angle_deg");
-                let expr = self.expression(angle.as_ref(), &field)?;
-                let letters = &self.letters;
-                let turn = match degrees(&expr, &|name| meaning(letters, name)) {
-                    Ok(turn) => turn,
-                    Err(fault) => {
-                        self.located(angle.as_ref(), &field, fault);
-                        return None;
-                    }
-                };
-                let Some(direction) = turn.direction() else {
-                    self.whole_fault(&field, angle.as_ref(), "too finely given an angle", &at_most());
-                    return None;
-                };
-                let speed = speed?;
-                Some(Velocity::Polar { speed, cos: direction.cos, sin: direction.sin, angle: Some((turn, expr)) })
-            }
-            (None, Some(cos), Some(sin)) => {
-                let cos = self.value(cos.as_ref(), &format!("{field}.cos"));
-                let sin_given = self.value(sin.as_ref(), &format!("{field}.sin"));
-                let (speed, cos, sin_value) = (speed?, cos?.value, sin_given?.value);
-                if !(&(&cos * &cos) + &(&sin_value * &sin_value)).equals(&Value::ONE) {
-                    let message = "the squares of cosine and sine do not add up to 1 with";
-                    self.whole_fault(
-                        &format!("{field}.sin"),
-                        sin.as_ref(),
-                        message,
-                        "a sine that belongs to the cosine",
-                    );
-                    return None;
-                }
-                Some(Velocity::Polar { speed, cos, sin: sin_value, angle: None })
-            }
-            _ => {
-                let expected = "`angle_deg`, or both `cos` and `sin`";
-                self.whole_fault(field, polar.speed.as_ref(), "a speed without one direction", expected);
-                None
-            }
-        }
-    }
-
     /// Letters to be found.
     fn unknowns<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Vec<Letter> {
         let mut unknowns = Vec::new();
@@ -352,7 +285,8 @@ impl Reader<'_> {
         let mut conditions = Vec::new();
         for (index, condition) in text.conditions.iter().enumerate() {
             let field = format!("conditions[{index}]");
-            match self.expression(condition.as_ref(), &field) {
+            let condition_formula = self.formula(condition.as_ref(), &field);
+            match condition_formula.map(|formula| self.filled(&formula)) {
                 Some(Expr::Relation(left, relation, right)) if relation != Relation::NotEqual => {
                     conditions.push(Condition { left: *left, relation, right: *right });
                 }

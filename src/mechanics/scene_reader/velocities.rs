@@ -1,0 +1,115 @@
+//! The velocities of a scene: along a line, by components, or by size and direction.
+
+use super::{Reader, at_most, formulas};
+use crate::expr::{Meaning, degrees, evaluate, print, written};
+use crate::mechanics::scene::{Given, Velocity};
+use crate::mechanics::scene_text::{Pair, VelocityText};
+use crate::number::Value;
+
+impl Reader<'_> {
+    pub(super) fn velocities<S: AsRef<str>>(
+        &mut self,
+        pair: &Pair<VelocityText<S>>,
+        moment: &str,
+    ) -> [Option<Velocity>; 2] {
+        [(&pair.a, "A"), (&pair.b, "B")].map(|(velocity, sphere)| {
+            let field = format!("{moment}.{sphere}");
+            self.velocity(velocity.as_ref()?, &field)
+        })
+    }
+
+    /// The components of a vector that was typed as one text, `4i + j`.
+    fn vector_in_words(&self, text: &str) -> Option<[String; 2]> {
+        let formula = formulas::read(text, self.angles).ok()?;
+        match evaluate(&formula, &|name| self.meaning(name)) {
+            Ok(Meaning::Vector(x, y)) => Some([x, y].map(|part| print::plain(&written(&part)))),
+            _ => None,
+        }
+    }
+
+    /// Is a velocity one number, along a line? A vector in one text is a fault of its own.
+    pub(super) fn is_along<S: AsRef<str>>(&self, velocity: &VelocityText<S>) -> bool {
+        matches!(velocity, VelocityText::Along(text) if self.vector_in_words(text.as_ref()).is_none())
+    }
+
+    /// A fault of one number among vectors.
+    pub(super) fn along_among_others(&mut self, field: &str) {
+        let expected = "expected `[\"x\", \"y\"]`, as the others are in a plane";
+        let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
+        self.misfit(field, "a velocity along a line among others in a plane", expected, help);
+    }
+
+    pub(super) fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
+        let polar = match text {
+            VelocityText::Along(velocity) => {
+                if let Some([x, y]) = self.vector_in_words(velocity.as_ref()) {
+                    let expected = format!("`[\"{x}\", \"{y}\"]`");
+                    self.whole_fault(field, velocity.as_ref(), "a vector in one text", &expected);
+                    self.help("write the components along i and along j as a list of two texts");
+                    return None;
+                }
+                return Some(Velocity::Components(self.value(velocity.as_ref(), field)?, Given::nought()));
+            }
+            VelocityText::Components(components) => {
+                let [x, y] = self.pair(components, field)?;
+                return Some(Velocity::Components(x, y));
+            }
+            VelocityText::Polar(polar) => polar,
+        };
+        let speed = self.value(polar.speed.as_ref(), &format!("{field}.speed"));
+        if speed.as_ref().is_some_and(|speed| speed.value.sign().is_some_and(|sign| sign.is_lt())) {
+            self.whole_fault(
+                &format!("{field}.speed"),
+                polar.speed.as_ref(),
+                "a negative speed",
+                "a speed, not negative",
+            );
+            self.help("leave the sign out, and turn the direction round by 180° if it is meant to be the opposite one");
+        }
+        match (&polar.angle_deg, &polar.cos, &polar.sin) {
+            (Some(angle), None, None) => {
+                let field = format!("{field}.angle_deg");
+                let formula = self.formula(angle.as_ref(), &field)?;
+                let turn = match degrees(&formula, &|name| self.meaning(name)) {
+                    Ok(turn) => turn,
+                    Err(fault) => {
+                        self.located(angle.as_ref(), &field, fault);
+                        return None;
+                    }
+                };
+                let Some(direction) = turn.direction() else {
+                    self.whole_fault(&field, angle.as_ref(), "too finely given an angle", &at_most());
+                    return None;
+                };
+                let speed = speed?;
+                Some(Velocity::Polar {
+                    speed,
+                    cos: direction.cos,
+                    sin: direction.sin,
+                    angle: Some((turn, self.filled(&formula))),
+                })
+            }
+            (None, Some(cos), Some(sin)) => {
+                let cos = self.value(cos.as_ref(), &format!("{field}.cos"));
+                let sin_given = self.value(sin.as_ref(), &format!("{field}.sin"));
+                let (speed, cos, sin_value) = (speed?, cos?.value, sin_given?.value);
+                if !(&(&cos * &cos) + &(&sin_value * &sin_value)).equals(&Value::ONE) {
+                    let message = "the squares of cosine and sine do not add up to 1 with";
+                    self.whole_fault(
+                        &format!("{field}.sin"),
+                        sin.as_ref(),
+                        message,
+                        "a sine that belongs to the cosine",
+                    );
+                    return None;
+                }
+                Some(Velocity::Polar { speed, cos, sin: sin_value, angle: None })
+            }
+            _ => {
+                let expected = "`angle_deg`, or both `cos` and `sin`";
+                self.whole_fault(field, polar.speed.as_ref(), "a speed without one direction", expected);
+                None
+            }
+        }
+    }
+}
