@@ -204,7 +204,7 @@ impl<N: Number + PartialEq> Carried<N> {
         other: &[(Quantity, Datum<N>)],
         look: impl FnOnce(&Carried<N>, Trace) -> R,
     ) -> R {
-        let mut before: Vec<(Quantity, Option<Datum<N>>)> = Vec::new();
+        let mut before: Vec<(Quantity, Option<Datum<N>>)> = Vec::with_capacity(self.known.0.len());
         let mut trace = Trace::default();
         for (quantity, datum) in other {
             before.push((*quantity, self.known.0.insert(*quantity, datum.clone())));
@@ -222,7 +222,8 @@ impl<N: Number + PartialEq> Carried<N> {
             } else if slipped.is_none() {
                 continue;
             }
-            let mut found = slipped.or_else(|| step.evaluate(&self.known)).into_iter().flatten();
+            let found = slipped.or_else(|| step.evaluate(&self.known));
+            let mut found = found.unwrap_or_default().into_iter();
             for (quantity, entered) in step.gives.iter().zip(&self.order.gives[place]) {
                 let datum = found.next();
                 let Some(entered) = entered.filter(|entered| !kept.has(*entered)) else { continue };

@@ -4,13 +4,13 @@
 //! not exist; then it can be evaluated in any kind of number.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::later::Meeting;
-use super::law::{Known, Outcome, Rule, all_rules};
+use super::law::{Datum, Known, Outcome, Rule, all_rules};
 use super::plan::Plan;
-use super::{Quantity, Sphere};
+use super::{Quantities, Quantity, Sphere};
 use crate::number::Number;
 
 /// Steps in the order in which a solution takes them.
@@ -70,16 +70,14 @@ impl Derivation {
         banned: &[&Rule],
     ) -> (Derivation, Vec<Quantity>) {
         let rules = all_rules(&Meeting::all(given));
-        let mut best: BTreeMap<Quantity, (u32, Option<usize>)> =
-            given.iter().map(|quantity| (*quantity, (0, None))).collect();
+        let mut best: Quantities<(u32, Option<usize>)> = given.iter().map(|quantity| (*quantity, (0, None))).collect();
         let mut changed = true;
         while changed {
             changed = false;
             for (index, rule) in rules.iter().enumerate() {
-                let costs: Option<Vec<u32>> =
-                    rule.needs.iter().map(|need| best.get(need).map(|(cost, _)| *cost)).collect();
-                let Some(costs) = costs else { continue };
-                let cost = costs.iter().sum::<u32>() + rule.cost;
+                let mut needs = rule.needs.iter();
+                let sum = needs.try_fold(rule.cost, |sum, need| best.get(need).map(|(cost, _)| sum + cost));
+                let Some(cost) = sum else { continue };
                 for quantity in &rule.gives {
                     let better = best.get(quantity).is_none_or(|(known, _)| cost < *known);
                     if better && !road.avoids(rule) && !banned.contains(&rule) {
@@ -118,9 +116,14 @@ impl Derivation {
     ///
     /// As for [`Derivation::evaluate`].
     pub fn evaluate_with<N: Number>(&self, computed: &Known<N>, known: &mut Known<N>) -> Result<(), DeadEnd> {
+        known.0.reserve(self.steps.iter().map(|step| step.gives.len()).sum());
         for (place, step) in self.steps.iter().enumerate() {
-            let there: Outcome<N> = step.gives.iter().map(|quantity| computed.0.get(quantity).cloned()).collect();
-            let Some(found) = there.or_else(|| step.evaluate(known)) else { return Err(DeadEnd(place)) };
+            if step.gives.iter().all(|quantity| computed.0.contains_key(quantity)) {
+                let there = step.gives.iter().filter_map(|quantity| computed.0.get(quantity));
+                enter(step, there.cloned(), known);
+                continue;
+            }
+            let Some(found) = step.evaluate(known) else { return Err(DeadEnd(place)) };
             enter(step, found, known);
         }
         Ok(())
@@ -184,7 +187,7 @@ impl Derivation {
 }
 
 /// What a step gives is entered unless it is known already: a rule may give two things of which one is.
-fn enter<N: Number>(step: &Rule, found: Vec<super::law::Datum<N>>, known: &mut Known<N>) {
+fn enter<N: Number>(step: &Rule, found: impl IntoIterator<Item = Datum<N>>, known: &mut Known<N>) {
     for (quantity, datum) in step.gives.iter().zip(found) {
         known.0.insert_new(*quantity, datum);
     }

@@ -83,9 +83,13 @@ fn reaches_the_wall(scene: &Scene, meeting: Meeting, before: &[Meeting]) -> Resu
     }
 }
 
+/// Nearly always an impact gives no more quantities than these.
+const MOST_GIVEN: usize = 16;
+
 /// The quantities that one impact gives.
 fn one(scene: &Scene) -> Result<Known<Value>, Refusal> {
     let mut known = Known::default();
+    known.0.reserve(MOST_GIVEN);
     for sphere in Sphere::BOTH {
         if let Some(mass) = scene.mass(sphere) {
             if mass.value.sign().is_some_and(Ordering::is_le) {
@@ -121,7 +125,7 @@ fn one(scene: &Scene) -> Result<Known<Value>, Refusal> {
     }
     contact(scene, &mut known)?;
     of_setting(scene, &mut known);
-    if let (Some(Contact::Along(_, _, None)), None) = (&scene.contact, relative(scene)) {
+    if matches!(scene.contact, Some(Contact::Along(_, _, None))) && scene.before.iter().any(Option::is_none) {
         turn_to_approach(&mut known);
     }
     Ok(known)

@@ -70,6 +70,11 @@ impl<T> Quantities<T> {
         self.0.is_empty()
     }
 
+    /// Makes room for so many more.
+    pub fn reserve(&mut self, more: usize) {
+        self.0.reserve(more);
+    }
+
     /// What there is about a quantity.
     pub fn get(&self, quantity: &Quantity) -> Option<&T> {
         self.0.get(&quantity.place())
@@ -124,6 +129,10 @@ impl<T> Extend<(Quantity, T)> for Quantities<T> {
 
 impl<T> FromIterator<(Quantity, T)> for Quantities<T> {
     fn from_iter<I: IntoIterator<Item = (Quantity, T)>>(all: I) -> Quantities<T> {
-        Quantities(all.into_iter().map(|(quantity, about)| (Placed::from(quantity), about)).collect())
+        let all = all.into_iter();
+        // Room is made once, and most come in their order.
+        let mut quantities = Quantities(LiteMap::with_capacity(all.size_hint().1.unwrap_or_default()));
+        all.for_each(|(quantity, about)| drop(quantities.insert(quantity, about)));
+        quantities
     }
 }

@@ -218,6 +218,9 @@ pub fn demanding(unknowns: &[Letter], broken: &[Broken]) -> Vec<&'static Rule> {
 fn broken(known: &Known<Value>) -> Vec<Broken> {
     let mut broken = Vec::new();
     let mut compare_in = |equation: Option<Quantity>, one: &Value, other: &Value, reason: &dyn Fn() -> String| {
+        if one == other {
+            return;
+        }
         let difference = other - one;
         if !difference.is_zero() {
             broken.push(Broken { equation, reason: reason(), difference });

@@ -1,5 +1,7 @@
 //! A sphere comes to its next impact with the velocity that the last one left it.
 
+use smallvec::smallvec;
+
 use super::{Datum, Known, Law, Line, Outcome, Rule, Seen, Shape, Show, Slip, number, rule, silent};
 use crate::expr::Expr;
 use crate::mechanics::later::Meeting;
@@ -65,7 +67,7 @@ fn carried<N: Number>(rule: &Rule, known: &Known<N>, moment: impl Fn(Quantity) -
     match rule.form {
         // The line of centres may point against i, and once this way and once that.
         IN_A_LINE => number(at(1)? * at(2)? * at(3)?),
-        _ => Some(vec![Datum::Number(at(0)?), Datum::Number(at(1)?)]),
+        _ => Some(smallvec![Datum::Number(at(0)?), Datum::Number(at(1)?)]),
     }
 }
 

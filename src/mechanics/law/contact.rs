@@ -4,6 +4,8 @@
 //! to B, and `d` how far B's centre lies to the left of the line through A's centre along `w`. The
 //! line of centres makes the angle α with `w`, anticlockwise, where `sin α = d/(r_A + r_B)`.
 
+use smallvec::smallvec;
+
 use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{X, Y};
@@ -54,7 +56,7 @@ fn line<N: Number>(rule: &Rule, known: &Known<N>, sine: N) -> Outcome<N> {
     let cosine = (one - sine.squared()).root()?;
     let n_x = x.clone() * cosine.clone() - y.clone() * sine.clone();
     let n_y = y * cosine + x * sine;
-    Some(vec![Datum::Number(n_x), Datum::Number(n_y)])
+    Some(smallvec![Datum::Number(n_x), Datum::Number(n_y)])
 }
 
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {

@@ -3,6 +3,8 @@
 //! `cross = u × v` and `dot = u · v` of the velocities before and after; the tangent of the deflection is
 //! their quotient, and also `(tan β - tan α)/(1 + tan α tan β)` by the angles to the line of centres.
 
+use smallvec::smallvec;
+
 use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, number, rule, silent, velocity, with_sign_of};
 use crate::expr::{Expr, Function, ratio, written};
 use crate::mechanics::Velocity;
@@ -119,7 +121,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
                 return None;
             }
             let y = if form == ANGLE { cross.size() } else { cross };
-            Some(vec![Datum::Direction { y, x: dot }])
+            Some(smallvec![Datum::Direction { y, x: dot }])
         }
     }
 }
@@ -159,7 +161,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
     }
     match rule.gives[0] {
         Quantity::TanDeflection(_) => number(turned_y.over(&turned_x)?),
-        _ => Some(vec![Datum::Direction { y: turned_y, x: turned_x }]),
+        _ => Some(smallvec![Datum::Direction { y: turned_y, x: turned_x }]),
     }
 }
 

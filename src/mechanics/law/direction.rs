@@ -4,6 +4,8 @@
 //! `tan β = v_t/v_n`. The angle *to* the line is acute, 0 to 90 degrees; the angle *from* n or i is
 //! signed, anticlockwise.
 
+use smallvec::smallvec;
+
 use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, print, written};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -92,9 +94,9 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         return None;
     }
     match rule.form {
-        TO_LINE | OF_IMPULSE => Some(vec![Datum::Direction { y: y.size(), x: x.size() }]),
-        FROM_N | FROM_I => Some(vec![Datum::Direction { y, x }]),
-        TO_WALL => Some(vec![Datum::Direction { y: x.size(), x: y.size() }]),
+        TO_LINE | OF_IMPULSE => Some(smallvec![Datum::Direction { y: y.size(), x: x.size() }]),
+        FROM_N | FROM_I => Some(smallvec![Datum::Direction { y, x }]),
+        TO_WALL => Some(smallvec![Datum::Direction { y: x.size(), x: y.size() }]),
         SIZE_OF_TANGENT => number(y.size().over(&x.size())?),
         TANGENT_TO_WALL => number(x.size().over(&y.size())?),
         _ => number(y.over(&x)?),
@@ -126,7 +128,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
             match rule.form {
                 _ if cross.is_nought() && dot.is_nought() => None,
                 // As it is: a deflection may be more than a right angle.
-                TO_LINE | FROM_N | TO_WALL => Some(vec![Datum::Direction { y: cross, x: dot }]),
+                TO_LINE | FROM_N | TO_WALL => Some(smallvec![Datum::Direction { y: cross, x: dot }]),
                 _ => number(cross.over(&dot)?),
             }
         }

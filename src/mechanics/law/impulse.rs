@@ -2,6 +2,8 @@
 //!
 //! The two impulses are equal and opposite, and act along the line of centres.
 
+use smallvec::smallvec;
+
 use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, first_equation, full_speed, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::formula::{difference, times};
@@ -141,7 +143,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         OF_VECTOR => {
             let n = &rule.needs;
             let [mass, u_x, u_y, v_x, v_y] = known.numbers([n[0], n[1], n[2], n[3], n[4]])?;
-            Some(vec![Datum::Number(mass.clone() * (v_x - u_x)), Datum::Number(mass * (v_y - u_y))])
+            Some(smallvec![Datum::Number(mass.clone() * (v_x - u_x)), Datum::Number(mass * (v_y - u_y))])
         }
         REACTION => number(-known.number(rule.needs[0])?),
         SIZE => number(known.number(rule.needs[0])?.size()),
@@ -151,14 +153,14 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         }
         COMPONENTS => {
             let [size, x, y] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
-            Some(vec![Datum::Number(size.clone() * x), Datum::Number(size * y)])
+            Some(smallvec![Datum::Number(size.clone() * x), Datum::Number(size * y)])
         }
         AFTER_GIVEN | BEFORE_GIVEN => {
             let n = &rule.needs;
             let [mass, x, y, i, j] = known.numbers([n[0], n[1], n[2], n[3], n[4]])?;
             let (along_x, along_y) = (i.over(&mass)?, j.over(&mass)?);
             let (along_x, along_y) = if rule.form == AFTER_GIVEN { (along_x, along_y) } else { (-along_x, -along_y) };
-            Some(vec![Datum::Number(x + along_x), Datum::Number(y + along_y)])
+            Some(smallvec![Datum::Number(x + along_x), Datum::Number(y + along_y)])
         }
         MASS => {
             let n = &rule.needs;
@@ -211,7 +213,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
                 }
                 "impulse-for-momentum" if rule.form == AFTER_GIVEN => {
                     let mass = known.number(mass)?;
-                    Some(vec![Datum::Number(known.number(i)?.over(&mass)?), Datum::Number(known.number(j)?.over(&mass)?)])
+                    Some(smallvec![Datum::Number(known.number(i)?.over(&mass)?), Datum::Number(known.number(j)?.over(&mass)?)])
                 }
                 _ => None,
             }

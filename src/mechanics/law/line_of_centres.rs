@@ -3,6 +3,8 @@
 //! `n = I_B/|I_B|`: what B receives points from A to B. A sphere's change of velocity has the direction of
 //! the impulse that it receives.
 
+use smallvec::smallvec;
+
 use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
@@ -80,7 +82,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "line-perpendicular" => {
             let outcome = evaluate(rule, known)?;
             let [Datum::Number(x), Datum::Number(y)] = outcome.as_slice() else { return None };
-            Some(vec![Datum::Number(-y.clone()), Datum::Number(x.clone())])
+            Some(smallvec![Datum::Number(-y.clone()), Datum::Number(x.clone())])
         }
         "line-is-velocity" => along(before(Sphere::A)?),
         "line-is-relative" => {
@@ -94,7 +96,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 /// The unit vector along a vector.
 fn along<N: Number>([x, y]: [N; 2]) -> Outcome<N> {
     let size = (x.squared() + y.squared()).root()?;
-    Some(vec![Datum::Number(x.over(&size)?), Datum::Number(y.over(&size)?)])
+    Some(smallvec![Datum::Number(x.over(&size)?), Datum::Number(y.over(&size)?)])
 }
 
 /// The direction.

@@ -13,6 +13,8 @@ pub use rule::Rule;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
+use smallvec::{SmallVec, smallvec};
+
 use super::later::Meeting;
 use super::line::Line;
 use super::seen::{Seen, Shape};
@@ -113,8 +115,8 @@ impl Slip {
     }
 }
 
-/// The numbers a rule arrives at, in the order of its `gives`.
-pub type Outcome<N> = Option<Vec<Datum<N>>>;
+/// The numbers a rule arrives at, in the order of its `gives`; there are rarely more than two.
+pub type Outcome<N> = Option<SmallVec<[Datum<N>; 2]>>;
 
 macro_rules! laws {
     ($($(#[$doc:meta])* $law:ident in $file:ident;)*) => {
@@ -270,7 +272,7 @@ fn rule(law: Law, form: u8, needs: &[Quantity], gives: &[Quantity], cost: u32) -
 }
 
 fn number<N>(value: N) -> Outcome<N> {
-    Some(vec![Datum::Number(value)])
+    Some(smallvec![Datum::Number(value)])
 }
 
 /// The component of a sphere's velocity along an axis.

@@ -3,6 +3,8 @@
 //! `m_A a + m_B b = m_A x + m_B y` for the components a, b before and x, y after, all positive from A
 //! to B.
 
+use smallvec::smallvec;
+
 use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation, unresolved, with_inputs};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
@@ -87,7 +89,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     match rule.form {
         EQUATION => {
             let [m_a, m_b, a, b] = known.numbers([m_a, m_b, a, b])?;
-            Some(vec![Datum::Equation([m_a.clone(), m_b.clone(), m_a * a + m_b * b])])
+            Some(smallvec![Datum::Equation([m_a.clone(), m_b.clone(), m_a * a + m_b * b])])
         }
         1 => number(at(x)? + (at(m_b)? * (at(y)? - at(b)?)).over(&at(m_a)?)?),
         2 => number(at(y)? + (at(m_a)? * (at(x)? - at(a)?)).over(&at(m_b)?)?),

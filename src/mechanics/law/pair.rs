@@ -6,6 +6,8 @@
 
 use std::cmp::Ordering::Equal;
 
+use smallvec::smallvec;
+
 use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::formula::multiple;
@@ -68,7 +70,7 @@ fn mixed<N: Number>(unknown: [usize; 2], known: &Known<N>) -> Outcome<N> {
     let determinant = p.clone() * t.clone() - q.clone() * s.clone();
     let first = (r.clone() * t - u.clone() * q).over(&determinant)?;
     let second = (p * u - s * r).over(&determinant)?;
-    Some(vec![Datum::Number(first), Datum::Number(second)])
+    Some(smallvec![Datum::Number(first), Datum::Number(second)])
 }
 
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
@@ -78,7 +80,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         let determinant = p.clone() * t.clone() - q.clone() * s.clone();
         let x = (r.clone() * t - u.clone() * q).over(&determinant)?;
         let y = (p * u - s * r).over(&determinant)?;
-        return Some(vec![Datum::Number(x), Datum::Number(y)]);
+        return Some(smallvec![Datum::Number(x), Datum::Number(y)]);
     }
     if rule.form >= FIRST_MIXED {
         return mixed(MIXED[usize::from(rule.form - FIRST_MIXED)], known);
@@ -90,14 +92,14 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     let approach = (y - x).over(&e)?;
     let a = (momentum.clone() + m_b * approach.clone()).over(&total)?;
     let b = (momentum - m_a * approach).over(&total)?;
-    Some(vec![Datum::Number(a), Datum::Number(b)])
+    Some(smallvec![Datum::Number(a), Datum::Number(b)])
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
     match slip {
         // What does change was taken not to; on one line there is nothing else.
         "wrong-axis" if rule.form == FORWARDS && !is_on_one_line(known) => {
-            Some(known.numbers([ALONG[0], ALONG[1]])?.map(Datum::Number).to_vec())
+            Some(known.numbers([ALONG[0], ALONG[1]])?.map(Datum::Number).into())
         }
         _ => None,
     }

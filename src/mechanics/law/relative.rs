@@ -2,6 +2,8 @@
 //!
 //! `approach = a - b` and `separation = y - x`, positive when the spheres near, and when they part.
 
+use smallvec::smallvec;
+
 use super::{Shape, Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -55,11 +57,11 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
                 return None;
             }
             let y = (a.clone() * d.clone() - b.clone() * c.clone()).size();
-            Some(vec![Datum::Direction { y, x: a * c + b * d }])
+            Some(smallvec![Datum::Direction { y, x: a * c + b * d }])
         }
         _ => {
             let [a, p, b, q] = known.numbers([n[0], n[1], n[2], n[3]])?;
-            Some(vec![Datum::Direction { y: (p - q).size(), x: (a - b).size() }])
+            Some(smallvec![Datum::Direction { y: (p - q).size(), x: (a - b).size() }])
         }
     }
 }

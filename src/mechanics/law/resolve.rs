@@ -3,6 +3,8 @@
 //! `v_n = v·n` and `v_t = v·t`, where `t` is `n` turned by +90 degrees; and back again. A velocity that
 //! was given by its speed and direction has the components `v cos θ`, `v sin θ`.
 
+use smallvec::smallvec;
+
 use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation, components, is_at_rest_before, with_inputs, with_sign_of};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -55,7 +57,7 @@ pub fn rules() -> Vec<Rule> {
 }
 
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    let pair = |a: N, b: N| Some(vec![Datum::Number(a), Datum::Number(b)]);
+    let pair = |a: N, b: N| Some(smallvec![Datum::Number(a), Datum::Number(b)]);
     let line = || known.numbers([Quantity::Line(X), Quantity::Line(Y)]);
     match rule.form {
         FROM_SPEED | FROM_SPEED_IN_I_J => {
@@ -92,7 +94,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
             let components = evaluate(rule, known)?;
             let [Datum::Number(n), Datum::Number(t)] = components.as_slice() else { return None };
             let one = n.one();
-            Some(vec![Datum::Number(with_sign_of(t, n, &one)), Datum::Number(with_sign_of(n, t, &one))])
+            Some(smallvec![Datum::Number(with_sign_of(t, n, &one)), Datum::Number(with_sign_of(n, t, &one))])
         }
         ("struck-inherits", TO_I_J) if rule.gives[0] == velocity(Sphere::B, Moment::After, X) => {
             let [along, across] = components(known, Sphere::A, Moment::Before)?;

@@ -2,6 +2,8 @@
 //!
 //! `y - x = e (a - b)` for the components a, b before and x, y after, all positive from A to B.
 
+use smallvec::smallvec;
+
 use super::{Seen, ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, velocity, with_inputs};
 use crate::expr::{Expr, written};
 use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
@@ -149,7 +151,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         EQUATION => {
             let [a, b, e] = known.numbers([a, b, e])?;
             let one = e.one();
-            Some(vec![Datum::Equation([-one.clone(), one, e * (a - b)])])
+            Some(smallvec![Datum::Equation([-one.clone(), one, e * (a - b)])])
         }
         1 => number(at(b)? + (at(y)? - at(x)?).over(&at(e)?)?),
         2 => number(at(a)? - (at(y)? - at(x)?).over(&at(e)?)?),
@@ -187,7 +189,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "separation-added" if rule.form == EQUATION => {
             let outcome = evaluate(rule, known)?;
             let [Datum::Equation([p, q, r])] = outcome.as_slice() else { return None };
-            Some(vec![Datum::Equation([-p.clone(), q.clone(), r.clone()])])
+            Some(smallvec![Datum::Equation([-p.clone(), q.clone(), r.clone()])])
         }
         "separation-added" => with_inputs(rule, known, &[(x, -at(x)?)]),
         "restitution-reversed" if rule.form == OF_E => number(-evaluate_e(known)?),
@@ -198,7 +200,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         {
             // A has no velocity left along the line of centres, which is the path of B.
             let one = at(a)?.one();
-            Some(vec![Datum::Equation([one.clone(), one.nought(), one.nought()])])
+            Some(smallvec![Datum::Equation([one.clone(), one.nought(), one.nought()])])
         }
         "e-taken-as-1" => with_inputs(rule, known, &[(e, at(e)?.one())]),
         "coalesce" => with_inputs(rule, known, &[(e, at(e)?.nought())]),

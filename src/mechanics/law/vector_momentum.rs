@@ -78,9 +78,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         MASS_OF_B => mass(B, known),
         form => {
             let (sphere, moment) = STATES[form as usize];
-            let found: Option<Vec<Datum<N>>> =
-                [X, Y].into_iter().map(|axis| component(sphere, moment, axis, known).map(Datum::Number)).collect();
-            found
+            [X, Y].into_iter().map(|axis| component(sphere, moment, axis, known).map(Datum::Number)).collect()
         }
     }
 }
