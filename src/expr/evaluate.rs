@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::nearly::nearly;
 use super::{Expr, Fault, Function, Name, Relation, Span, Turn};
 use crate::number::{Angle, Fraction, Interval, Letter, Value};
 
@@ -122,7 +123,10 @@ pub fn holds(relation: &Expr, names: Names) -> Result<Option<bool>, Fault> {
     let Expr::Relation(left, relation, right) = relation else {
         return Err(fault("this is no relation", "`=`, `!=`, `<`, `<=`, `>` or `>=` between two expressions"));
     };
-    let order = compare(evaluate(left, names)?, evaluate(right, names)?)?;
+    let order = match order_by_doubles(left, right, names) {
+        Some(order) => Compared::Order(order),
+        None => compare(evaluate(left, names)?, evaluate(right, names)?)?,
+    };
     Ok(match (relation, order) {
         (Relation::Equal, Compared::Order(order)) => Some(order.is_eq()),
         (Relation::NotEqual, Compared::Order(order)) => Some(order.is_ne()),
@@ -134,6 +138,11 @@ pub fn holds(relation: &Expr, names: Names) -> Result<Option<bool>, Fault> {
         (Relation::GreaterOrEqual, Compared::Order(order)) => Some(order.is_ge()),
         _ => None,
     })
+}
+
+/// Which of two numbers is larger, where doubles tell: a difference of roots is long in exact form.
+fn order_by_doubles(left: &Expr, right: &Expr, names: Names) -> Option<Ordering> {
+    (nearly(left, names)? - nearly(right, names)?).sign().filter(|order| order.is_ne())
 }
 
 enum Compared {

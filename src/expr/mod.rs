@@ -6,6 +6,7 @@
 mod circle;
 mod evaluate;
 mod fault;
+mod nearly;
 pub mod print;
 mod read;
 mod term;

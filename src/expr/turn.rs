@@ -132,6 +132,16 @@ impl Turn {
         }
     }
 
+    /// About how many degrees, if there are no letters in it.
+    pub fn to_f64(&self) -> Option<f64> {
+        let sharp = |value: &Value| value.between_doubles()?.sharp();
+        let by_doubles = || match &self.rest {
+            None => Some(self.degrees.to_f64()),
+            Some(angle) => Some(self.degrees.to_f64() + sharp(angle.y())?.atan2(sharp(angle.x())?).to_degrees()),
+        };
+        by_doubles().or_else(|| self.enclose(64).map(|degrees| degrees.to_f64()))
+    }
+
     /// Is it exactly so many degrees, as a number, not only as a direction?
     pub fn is_degrees(&self, degrees: &Fraction) -> bool {
         let rest = degrees - &self.degrees;
