@@ -86,8 +86,30 @@ fn excepts_angles(sentence: &[Token]) -> bool {
     says(sentence, &["angle", "angles"]) && says(sentence, &OTHERWISE)
 }
 
-/// Answers of a variant that must be exact, are no decimals, and of which no words say so.
-pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
+/// Which words speak of exact form: they are the same in every variant.
+#[derive(Clone, Debug)]
+pub struct AsksExact {
+    stem: bool,
+    /// Of each part.
+    asks: Vec<bool>,
+}
+
+impl AsksExact {
+    /// Reads them in the words of a variant.
+    pub fn of(words: &Words) -> AsksExact {
+        let said = |text: &Text| sentences(text).iter().any(|sentence| says(sentence, &EXACT));
+        AsksExact { stem: words.stem.iter().any(said), asks: words.asks.iter().map(said).collect() }
+    }
+}
+
+/// Answers of a variant that must be exact, are no decimals, and of which no words say so. What the words say is read when it
+/// is wanted.
+pub fn unasked<'h>(
+    question: &Question,
+    variant: &Variant,
+    words: &dyn Fn() -> &'h AsksExact,
+    remarks: &mut Vec<Remark>,
+) {
     let is_to_be_exact = |answer: &&Answer| {
         let by_itself = matches!(answer.kind, Kind::Shown | Kind::Line | Kind::Range);
         !by_itself && *answer.accept(variant.style) == Accept::Exact
@@ -96,11 +118,8 @@ pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &
     if !question.parts.iter().flat_map(|part| &part.answers).any(|answer| is_to_be_exact(&answer)) {
         return;
     }
-    let said = |text: &Text| sentences(text).iter().any(|sentence| says(sentence, &EXACT));
-    if words.stem.iter().any(said) {
-        return;
-    }
-    for (part, _) in question.parts.iter().zip(&words.asks).filter(|(_, ask)| !said(ask)) {
+    let AsksExact { stem: false, asks } = words() else { return };
+    for (part, _) in question.parts.iter().zip(asks).filter(|(_, asks)| !**asks) {
         let exact = part.answers.iter().filter(is_to_be_exact);
         for answer in exact.filter(|answer| invites_rounding(answer, variant)) {
             let what = format!("the answer `{}` must be exact, and no words say so", answer.find.name());

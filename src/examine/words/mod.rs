@@ -112,7 +112,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
 /// What is wrong with the words of a variant: what reads badly, is not true of its numbers, or is not asked.
 pub fn of_variant(question: &Question, variant: &Variant, words: &Words, heard: &mut Heard, remarks: &mut Vec<Remark>) {
     sentences::unreadable(words, variant, heard, remarks);
-    truth::untrue(words, variant, remarks);
-    exact_form::unasked(question, variant, words, remarks);
+    truth::untrue(heard.claims(words), words, variant, remarks);
+    exact_form::unasked(question, variant, &|| heard.asks_exact(words), remarks);
     below_nought::sizes(question, variant, remarks);
 }

@@ -1,21 +1,39 @@
 //! Do the author's own words read well, whatever the numbers between them are: punctuation, doubled words, articles?
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use super::agreement::disagreeing;
+use super::exact_form::AsksExact;
 use super::misspelt::{meant, meant_after};
 use super::sentence::in_order;
 use super::sentences::{around, remark_at};
+use super::truth::Claims;
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Piece, Text};
 use crate::mechanics::Sphere;
+use crate::paper::Words;
 
-/// What has been said of texts that were looked at: they are the same in every variant but for their numbers, so each is
-/// looked at once.
+/// What has been said of texts that were looked at, and what they say: they are the same in every variant but for their
+/// numbers, so each is looked at once.
 #[derive(Clone, Debug, Default)]
-pub struct Heard(HashMap<String, Vec<Remark>>);
+pub struct Heard {
+    texts: HashMap<String, Vec<Remark>>,
+    claims: OnceCell<Claims>,
+    exact: OnceCell<AsksExact>,
+}
 
 impl Heard {
+    /// What the words say of the motion.
+    pub(super) fn claims(&self, words: &Words) -> &Claims {
+        self.claims.get_or_init(|| Claims::of(words))
+    }
+
+    /// Which of the words ask for exact form.
+    pub(super) fn asks_exact(&self, words: &Words) -> &AsksExact {
+        self.exact.get_or_init(|| AsksExact::of(words))
+    }
+
     /// What does not read well in the words of a text.
     pub(super) fn unreadable(&mut self, text: &Text, remarks: &mut Vec<Remark>) {
         let mut pieces = Vec::new();
@@ -28,7 +46,7 @@ impl Heard {
                 _ => "{}",
             })
             .collect();
-        remarks.extend_from_slice(self.0.entry(words).or_insert_with(|| looked_at(text, &pieces)));
+        remarks.extend_from_slice(self.texts.entry(words).or_insert_with(|| looked_at(text, &pieces)));
     }
 }
 

@@ -22,7 +22,7 @@ impl Seen<'_> {
         let (across, along) = to_line?;
         let (y, x) = if from == Axis::N { (across, along) } else { (along, across) };
         let has = Angle::of(&y, &x)?;
-        if let (Some(said), Some(has)) = (self.meaning(expr).and_then(degrees_said), degrees(&Turn::of(has.clone()))) {
+        if let (Some(said), Some(has)) = (self.meaning(expr).and_then(degrees_said), Turn::of(has.clone()).to_f64()) {
             let is_apart = (said - has).abs() > 1e-6 && said < 90.0;
             let shown = |degrees: f64| format!("{degrees:.4}").trim_end_matches('0').trim_end_matches('.').to_owned();
             return is_apart.then(|| (shown(said), shown(has)));
@@ -92,12 +92,7 @@ impl Seen<'_> {
 fn degrees_said(meaning: Meaning) -> Option<f64> {
     match meaning {
         Meaning::Number(value) => value.to_f64(),
-        Meaning::Angle(turn) | Meaning::Degrees(turn) => degrees(&turn),
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => turn.to_f64(),
         _ => None,
     }
-}
-
-/// The degrees of an angle, if no letter is in it.
-pub(super) fn degrees(turn: &Turn) -> Option<f64> {
-    turn.enclose(64).map(|degrees| degrees.to_f64())
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use super::given::{names_in, names_of_scene, said_in};
 use super::said::Seen;
-use super::said_of_angles::degrees;
 use super::sentence::{Sentence, Token, is_one_of};
 use crate::answer::Kind;
 use crate::examine::Finding;
@@ -110,7 +109,7 @@ impl Seen<'_> {
         let solution = &self.variant.solution;
         let quantities = solution.scene().quantities().into_iter().filter(|quantity| quantity.unit() == unit);
         let mut values = quantities.filter_map(|quantity| match unit {
-            Unit::Degree => degrees(&Turn::of(solution.angle(quantity)?)),
+            Unit::Degree => Turn::of(solution.angle(quantity)?).to_f64(),
             _ => solution.number(quantity)?.to_f64(),
         });
         let turned = if unit == Unit::Degree { vec![said, 180.0 - said, 90.0 - said] } else { vec![said] };

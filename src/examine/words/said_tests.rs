@@ -12,7 +12,8 @@ pub(super) fn said(id: &str, edits: Edits) -> String {
     let style = &question.styles[0];
     let variant = Deal::new(&question, style, 1).next().unwrap();
     let mut remarks = Vec::new();
-    truth::untrue(&words(&question, style, &variant), &variant, &mut remarks);
+    let words = words(&question, style, &variant);
+    truth::untrue(&truth::Claims::of(&words), &words, &variant, &mut remarks);
     let found = contradicted(&question, style, &variant);
     found.into_iter().map(|finding| finding.message).chain(remarks.iter().map(|remark| format!("{remark:?}"))).collect()
 }

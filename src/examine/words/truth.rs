@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::sentence::{Token, in_order, is_one_of, is_supposed, sentences, subject};
 use super::sentences::around;
 use crate::examine::remark::Remark;
-use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
+use crate::expr::{Expr, Meaning, Piece, Text, evaluate};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::number::Value;
@@ -17,13 +17,33 @@ fn remark(what: &str, at: &str, shown: &str, help: &str) -> Remark {
     Remark::new(what, at, "here", help).showing(shown)
 }
 
-/// What is said and is not so.
-pub fn untrue(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
-    for paragraph in &words.stem {
-        ways(paragraph, variant, remarks);
-        beside_each_other(paragraph, variant, remarks);
-        resting(paragraph, variant, remarks);
+/// What the words say of the motion before the collision, found once for all variants: they say the same, whatever the
+/// numbers in them are.
+#[derive(Clone, Debug)]
+pub struct Claims {
+    ways: Vec<Way>,
+    rests: Vec<Rest>,
+    compared: Vec<Compared>,
+}
+
+impl Claims {
+    /// Reads them in the words of a variant.
+    pub fn of(words: &Words) -> Claims {
+        let mut claims = Claims { ways: Vec::new(), rests: Vec::new(), compared: Vec::new() };
+        for paragraph in &words.stem {
+            ways(paragraph, &mut claims.ways);
+            compared(paragraph, &mut claims.compared);
+            rests(paragraph, &mut claims.rests);
+        }
+        claims
     }
+}
+
+/// What is said and is not so.
+pub fn untrue(claims: &Claims, words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
+    remarks.extend(claims.ways.iter().filter_map(|way| way.if_untrue(variant)));
+    remarks.extend(claims.compared.iter().filter_map(|compared| compared.if_untrue(variant)));
+    remarks.extend(claims.rests.iter().filter_map(|rest| rest.if_untrue(variant)));
     for text in words.stem.iter().chain(&words.asks) {
         angles(text, variant, remarks);
     }
@@ -55,8 +75,41 @@ pub(super) fn is_at_rest(variant: &Variant, sphere: Sphere) -> Option<bool> {
 /// Words of what comes later, or is only supposed.
 const ELSEWHERE: [&str; 5] = ["after", "brought", "come", "came", "if "];
 
-/// Who is said to be at rest before the collision is, and who is said to move is not.
-fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+/// A sentence that says of spheres that they are at rest before the collision, or that they move.
+#[derive(Clone, Debug)]
+struct Rest {
+    /// Those of whom it is said, if they are named before it.
+    named: Vec<Sphere>,
+    /// Is it rest that is said of them?
+    rests: bool,
+    /// Does it speak of rest at all, be it of nobody that is named?
+    of_rest: bool,
+    at: String,
+}
+
+impl Rest {
+    fn if_untrue(&self, variant: &Variant) -> Option<Remark> {
+        let wrong = self.named.iter().find(|sphere| is_at_rest(variant, **sphere) == Some(!self.rests));
+        let nobody = || {
+            Sphere::ALL.into_iter().all(|sphere| match sphere {
+                Sphere::A => is_at_rest(variant, sphere) == Some(false),
+                // A wall stands in the place of a sphere, and is at rest.
+                _ if !is_there(variant, sphere) => true,
+                _ => is_at_rest(variant, sphere) != Some(true) && !is_open(variant, sphere),
+            })
+        };
+        let said = match wrong {
+            Some(sphere) => format!("{} is {}", sphere.name(), if self.rests { "at rest" } else { "moving" }),
+            None if self.of_rest && nobody() => "at rest".to_owned(),
+            None => return None,
+        };
+        let help = "give in `[scene]` the velocity that is said, or say the one that is given";
+        Some(remark("a motion that is not so", &self.at, &said, help))
+    }
+}
+
+/// Who is said to be at rest before the collision, and who to move.
+fn rests(text: &Text, found: &mut Vec<Rest>) {
     let mut pieces = Vec::new();
     in_order(&text.0, &mut pieces);
     let mut elsewhere = false;
@@ -65,38 +118,18 @@ fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
         for (nth, sentence) in words.split_inclusive('.').enumerate() {
             let starts = |of: &[&str]| nth == 0 && of.iter().any(|start| sentence.starts_with(start));
             let (rests, moves) = (starts(&[" is at rest", " are at rest"]), starts(&[" is moving", " are moving"]));
-            let (is_said, ends) = (rests || moves || sentence.contains(" at rest"), sentence.ends_with('.'));
-            // Nearly all sentences say nothing of it, and every variant says all of them.
-            if ends && !is_said {
-                elsewhere = false;
-                continue;
-            }
+            let of_rest = sentence.contains(" at rest");
             let lower = sentence.to_lowercase();
             let is_elsewhere = elsewhere || ELSEWHERE.iter().any(|word| lower.contains(word));
-            elsewhere = is_elsewhere && !ends;
-            if is_elsewhere || !is_said {
+            elsewhere = is_elsewhere && !sentence.ends_with('.');
+            if is_elsewhere || !(rests || moves || of_rest) {
                 continue;
             }
             let named = if rests || moves { named_before(&pieces[..place]) } else { Vec::new() };
-            let wrong = named.into_iter().find(|sphere| is_at_rest(variant, *sphere) == Some(!rests));
-            let nobody = || {
-                Sphere::ALL.into_iter().all(|sphere| match sphere {
-                    Sphere::A => is_at_rest(variant, sphere) == Some(false),
-                    // A wall stands in the place of a sphere, and is at rest.
-                    _ if !is_there(variant, sphere) => true,
-                    _ => is_at_rest(variant, sphere) != Some(true) && !is_open(variant, sphere),
-                })
-            };
-            let said = match wrong {
-                Some(sphere) => format!("{} is {}", sphere.name(), if rests { "at rest" } else { "moving" }),
-                None if sentence.contains(" at rest") && nobody() => "at rest".to_owned(),
-                None => continue,
-            };
-            let help = "give in `[scene]` the velocity that is said, or say the one that is given";
             let at = words.find(sentence).unwrap_or(0)
                 + sentence.find(" at rest").or(sentence.find(" mov")).unwrap_or(0)
                 + 1;
-            remarks.push(remark("a motion that is not so", around(words, at), &said, help));
+            found.push(Rest { named, rests, of_rest, at: around(words, at).to_owned() });
         }
     }
 }
@@ -154,13 +187,33 @@ fn speed(variant: &Variant, sphere: Sphere) -> Option<Value> {
     })
 }
 
-/// A sphere that is said to be heavier or faster than another is so.
-fn beside_each_other(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
-    let is_there = |piece: &Piece| matches!(piece, Piece::Words(words) if words.contains("er than"));
-    if !text.0.iter().any(is_there) {
-        return;
+/// A sphere that is said to be heavier or faster than another.
+#[derive(Clone, Debug)]
+struct Compared {
+    one: Sphere,
+    said: &'static str,
+    wanted: Ordering,
+    other: Sphere,
+    /// Of what comes later nothing is compared but masses.
+    is_later: bool,
+}
+
+impl Compared {
+    fn if_untrue(&self, variant: &Variant) -> Option<Remark> {
+        let Compared { one, said, wanted, other, is_later } = self;
+        let of = |sphere| match *said {
+            "heavier" | "lighter" => variant.solution.known().number(Quantity::Mass(sphere)),
+            _ if *is_later => None,
+            _ => speed(variant, sphere),
+        };
+        let is_so = (&of(*one)? - &of(*other)?).sign()? == *wanted;
+        let shown = format!("{} is {said} than {}", one.name(), other.name());
+        let help = "require that it is so, or take the words out";
+        (!is_so).then(|| remark("a comparison that is not so", &format!("{said} than"), &shown, help))
     }
-    let known = variant.solution.known();
+}
+
+fn compared(text: &Text, found: &mut Vec<Compared>) {
     for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
         for (place, token) in sentence.iter().enumerate() {
             let Some((said, wanted)) = BESIDE.iter().find(|(said, _)| is_one_of(token, &[said])) else { continue };
@@ -170,17 +223,7 @@ fn beside_each_other(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) 
             });
             let (Some(one), Some(other)) = (subject(&sentence[..place]), other) else { continue };
             let is_later = sentence.iter().any(|token| is_one_of(token, &["after", "then"]));
-            let of = |sphere| match *said {
-                "heavier" | "lighter" => known.number(Quantity::Mass(sphere)),
-                _ if is_later => None,
-                _ => speed(variant, sphere),
-            };
-            let (Some(one_has), Some(other_has)) = (of(one), of(other)) else { continue };
-            if (&one_has - &other_has).sign().is_some_and(|sign| sign != *wanted) {
-                let shown = format!("{} is {said} than {}", one.name(), other.name());
-                let help = "require that it is so, or take the words out";
-                remarks.push(remark("a comparison that is not so", &format!("{said} than"), &shown, help));
-            }
+            found.push(Compared { one, said, wanted: *wanted, other, is_later });
         }
     }
 }
@@ -206,12 +249,11 @@ fn angles(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
 
 /// Is an angle acute, and not obtuse? None of what is neither, or is not known.
 fn is_acute(expr: &Expr, piece: &Piece, variant: &Variant) -> Option<bool> {
-    let of_turn = |turn: &Turn| turn.enclose(64).map(|degrees| degrees.to_f64());
     let degrees = match evaluate(expr, &|name| variant.givens.meaning(name)).ok()? {
         Meaning::Number(value) if matches!(piece, Piece::Quantity(..)) => value.to_f64()?,
         // A letter for an angle is declared acute.
         Meaning::Angle(_) if matches!(expr, Expr::Name(_)) => return Some(true),
-        Meaning::Angle(turn) | Meaning::Degrees(turn) => of_turn(&turn)?,
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => turn.to_f64()?,
         _ => return None,
     };
     let is_near = |other: f64| (degrees - other).abs() < 1e-9;
@@ -243,7 +285,7 @@ const WAYS: [(&str, Whom); 12] = [
 const OF_ITSELF: [&str; 4] = [" as before", " as it ", " as its ", " as that"];
 
 /// Whom such words are said of.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 enum Whom {
     /// The other than the sphere whose name comes next.
     Next(f64),
@@ -257,9 +299,26 @@ enum Whom {
     Ahead,
 }
 
-/// Who is said to move towards *A* or *B* or away from it, or as the other does, moves so along the line of centres before
-/// the collision.
-fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+/// Who is said to move towards *A* or *B* or away from it, or as the other does, along the line of centres before the
+/// collision.
+#[derive(Clone, Debug)]
+struct Way {
+    way: &'static str,
+    whom: Whom,
+    /// The name that comes next.
+    next: String,
+    at: String,
+}
+
+impl Way {
+    fn if_untrue(&self, variant: &Variant) -> Option<Remark> {
+        let said = untrue_way(self.way, self.whom, &self.next, variant)?;
+        let help = "turn its velocity round in `[scene]`, or say which way it is";
+        Some(remark("a direction that is not so", &self.at, &said, help))
+    }
+}
+
+fn ways(text: &Text, found: &mut Vec<Way>) {
     let mut is_after = false;
     for (place, piece) in text.0.iter().enumerate() {
         let Piece::Words(words) = piece else { continue };
@@ -268,25 +327,18 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
                 Whom::Next(_) | Whom::Behind | Whom::Ahead => sentence.trim_end().ends_with(way.0),
                 _ => sentence.split(way.0).skip(1).any(|rest| !OF_ITSELF.iter().any(|old| rest.starts_with(old))),
             };
-            let said: Vec<_> = WAYS.iter().filter(is_said).collect();
-            let is_of_no_matter = is_after || said.is_empty() && sentence.ends_with('.');
-            if !is_of_no_matter {
-                let lower = sentence.to_lowercase();
-                is_after = ["after ", " then "].iter().any(|later| lower.contains(later));
-            }
-            for (way, whom) in said.into_iter().filter(|_| !is_after) {
+            let lower = sentence.to_lowercase();
+            is_after = is_after || ["after ", " then "].iter().any(|later| lower.contains(later));
+            for (way, whom) in WAYS.iter().filter(is_said).filter(|_| !is_after) {
                 let next = match text.0.get(place + 1) {
-                    Some(Piece::Formula(Expr::Name(name))) => name.text.as_str(),
-                    _ => "",
+                    Some(Piece::Formula(Expr::Name(name))) => name.text.clone(),
+                    _ => String::new(),
                 };
-                if let Some(said) = untrue_way(way, *whom, next, variant) {
-                    let help = "turn its velocity round in `[scene]`, or say which way it is";
-                    let at = match whom {
-                        Whom::Next(_) | Whom::Behind | Whom::Ahead => format!("{way} *{next}*"),
-                        _ => around(words, words.find(way).unwrap_or(0)).to_owned(),
-                    };
-                    remarks.push(remark("a direction that is not so", &at, &said, help));
-                }
+                let at = match whom {
+                    Whom::Next(_) | Whom::Behind | Whom::Ahead => format!("{way} *{next}*"),
+                    _ => around(words, words.find(way).unwrap_or(0)).to_owned(),
+                };
+                found.push(Way { way, whom: *whom, next, at });
             }
             is_after = is_after && !sentence.ends_with('.');
         }
