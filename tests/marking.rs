@@ -4,7 +4,9 @@ use carom::bank::{StyleName, read_question, shipped};
 use carom::diagnostic::Source;
 use carom::expr::{Angles, print, read};
 use carom::generate::{reference, with_numbers};
-use carom::mark::{AnswerKey, KeyedQuestion, MarkedPart, PartScript, Profile, Script, from_own_values, mark};
+use carom::mark::{
+    AnswerKey, KeyedQuestion, MarkedPart, PartScript, Profile, Script, from_own_values, mark, mark_each,
+};
 use carom::paper::{Key, KeyQuestion, compose, key_question};
 use serde::Deserialize;
 
@@ -100,6 +102,10 @@ fn marked(row: &Row) -> MarkedPart {
     let profile = row.profile.as_deref().map_or_else(Profile::default, |name| Profile::named(name).unwrap());
     let script = Script { student: "Ann".into(), question: 1, parts };
     let found = mark(&question, &script, &profile);
+    // Who marks the same again remembers what was found, and finds nothing else.
+    for again in mark_each(&question, [&script, &script], &profile) {
+        assert_eq!(again, found);
+    }
     found.into_iter().find(|part| part.label == row.part).expect("the part is there")
 }
 

@@ -211,6 +211,15 @@ impl Find {
             Find::Unknown(_) => Vec::new(),
         }
     }
+
+    /// Must the quantity be known?
+    pub fn asks_for(&self, quantity: Quantity) -> bool {
+        match self {
+            Find::Quantity(own) => *own == quantity,
+            Find::Vector(x, y) => *x == quantity || *y == quantity,
+            Find::Unknown(_) => false,
+        }
+    }
 }
 
 /// An answer of a part.

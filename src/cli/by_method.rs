@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 use super::failure::Failure;
 use super::output::{listed, print, print_json, table};
 use crate::diagnostic::near;
-use crate::mechanics::{ALONG, Datum, Derivation, Known, Quantity, pose};
+use crate::mechanics::{ALONG, Datum, Derivation, Known, Quantity};
 use crate::method::{After, Found, Geometry, Impact, METHODS, Method, Promise, method, solve_once};
 use crate::number::{Fraction, Interval, Number, Value};
 use crate::solve::{Solution, report};
@@ -179,9 +179,8 @@ fn evaluated<N: Number>(
     number: impl Fn(&N) -> (f64, Option<f64>),
     degrees: impl Fn(&N, &N) -> Option<(f64, Option<f64>)>,
 ) -> Result<Quantities, Failure> {
-    let given = pose(solution.scene())?;
     let help = "leave `--method` out";
-    let mut known = turned_into(&given, into)
+    let mut known = turned_into(solution.given(), into)
         .ok_or_else(|| Failure::with_help("the method needs numbers, and letters remain", help))?;
     // A step that does not exist in these numbers leaves the rest unknown.
     let _ = solution.derivation().evaluate_with(computed, &mut known);

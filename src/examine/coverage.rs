@@ -11,7 +11,7 @@ use crate::bank::Question;
 use crate::expr::print;
 use crate::generate::Variant;
 use crate::mark::judging::{Note, Verdict};
-use crate::mark::{AnswerKey, Award, KeyedQuestion, MarkedPart, Profile, mark};
+use crate::mark::{AnswerKey, Award, KeyedQuestion, MarkedPart, Profile, mark_each};
 use crate::paper::{Key, compose, key_question};
 
 /// How often each mark of a question was won and lost, and what was marked otherwise than it must be.
@@ -127,8 +127,8 @@ fn of_question(question: &KeyedQuestion, students: &[Student], with: &str) -> Co
         };
         coverage.marks.extend(part.scheme.iter().map(count));
     }
-    for student in students {
-        let marked = mark(question, &student.script, &profile);
+    let marked = mark_each(question, students.iter().map(|student| &student.script), &profile);
+    for (student, marked) in students.iter().zip(marked) {
         let awards = marked.iter().flat_map(|part| &part.awards);
         for (count, award) in coverage.marks.iter_mut().zip(awards) {
             *(if award.given { &mut count.won } else { &mut count.lost }) += 1;

@@ -10,7 +10,7 @@ use crate::answer::Accept;
 use crate::bank::{Answer, Question};
 use crate::generate::{Variant, reference};
 use crate::mark::slips::{Answers, Asked, acting, shown};
-use crate::mechanics::{Slip, pose};
+use crate::mechanics::Slip;
 use crate::number::Places;
 
 /// Exact values that differ by less than this part are one.
@@ -54,7 +54,6 @@ impl Slips {
         if sought.is_none() && asked.iter().all(|asked| asked.quantities().is_empty()) {
             return;
         }
-        let Ok(given) = pose(variant.solution.scene()) else { return };
         let is_exact = !variant.scene.letters.is_empty();
         let differ = |one: &Answers, other: &Answers| {
             let each = one.iter().zip(other).zip(&answers);
@@ -66,7 +65,7 @@ impl Slips {
                 _ => one.is_some() != other.is_some(),
             })
         };
-        let Some(outcomes) = shown(&given, &asked, sought.as_ref(), &differ) else { return };
+        let Some(outcomes) = shown(variant.solution.given(), &asked, sought.as_ref(), &differ) else { return };
         self.variants += 1;
         self.acting |= outcomes.iter().fold(0, |acting, outcome| acting | 1 << outcome.slip);
         let showing: Vec<(usize, &Answers)> =
@@ -138,8 +137,7 @@ pub fn all_acting(question: &Question, styles: &[Slips]) -> u128 {
     let followed = styles.iter().fold(0, |all, slips| all | slips.acting);
     let by_reference = || -> Option<Vec<usize>> {
         let solution = reference(question).ok()?.solution;
-        let given = pose(solution.scene()).ok()?;
-        Some(acting(&given, &asked(question).1, solution.sought().as_ref()))
+        Some(acting(solution.given(), &asked(question).1, solution.sought().as_ref()))
     };
     by_reference().unwrap_or_default().into_iter().fold(followed, |all, slip| all | 1 << slip)
 }

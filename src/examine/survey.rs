@@ -35,8 +35,8 @@ type Dealt = Option<(usize, usize)>;
 enum Piece {
     /// Sets of numbers of some styles that have the same, from one index up to another.
     Sets { family: usize, from: u64, to: u64 },
-    /// Students who hand in a variant of a style, or the reference numbers.
-    Students { question: usize, dealt: Dealt },
+    /// Students who hand in variants of a style, or the reference numbers.
+    Students { question: usize, style: Option<usize> },
 }
 
 /// Styles of a question whose sets of numbers are the same: each set is solved once for all of them.
@@ -72,12 +72,13 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
                     }
                     progress((to - from) * sieves.len() as u64);
                 }
-                Piece::Students { question, dealt } => {
+                Piece::Students { question, style } => {
                     let of = questions[question];
-                    let Some(variant) = dealt_variant(of, dealt) else { continue };
-                    done[question].coverage.push((dealt, coverage(of, &variant)));
-                    if let Some((style, _)) = dealt {
-                        done[question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
+                    for (dealt, variant) in dealt_variants(of, style) {
+                        done[question].coverage.push((dealt, coverage(of, &variant)));
+                        if let Some((style, _)) = dealt {
+                            done[question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
+                        }
                     }
                 }
             }
@@ -119,8 +120,8 @@ fn families<'q>(questions: &[&'q Question]) -> Vec<Family<'q>> {
 fn pieces(questions: &[&Question], families: &[Family]) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for (place, question) in questions.iter().enumerate() {
-        let dealt = (0..question.styles.len()).flat_map(|style| (0..MARKED).map(move |nth| Some((style, nth))));
-        pieces.extend(std::iter::once(None).chain(dealt).map(|dealt| Piece::Students { question: place, dealt }));
+        let styles = std::iter::once(None).chain((0..question.styles.len()).map(Some));
+        pieces.extend(styles.map(|style| Piece::Students { question: place, style }));
     }
     for (place, family) in families.iter().enumerate() {
         let size = family.sieves[0].1.style.size().min(MOST_SETS);
@@ -134,12 +135,13 @@ fn pieces(questions: &[&Question], families: &[Family]) -> Vec<Piece> {
     pieces
 }
 
-/// The variant that students hand in.
-fn dealt_variant(question: &Question, dealt: Dealt) -> Option<Variant> {
-    match dealt {
-        None => reference(question).ok(),
-        Some((style, nth)) => Deal::new(question, &question.styles[style], 1).nth(nth),
-    }
+/// The variants of a style that students hand in, or the reference numbers.
+fn dealt_variants(question: &Question, style: Option<usize>) -> Vec<(Dealt, Variant)> {
+    let Some(style) = style else {
+        return reference(question).ok().map(|variant| (None, variant)).into_iter().collect();
+    };
+    let dealt = Deal::new(question, &question.styles[style], 1).take(MARKED);
+    dealt.enumerate().map(|(nth, variant)| (Some((style, nth)), variant)).collect()
 }
 
 /// What has been seen of a question so far.

@@ -22,6 +22,6 @@ pub use award::{Award, Cause, Evidence, Examiner, MarkedAnswer, MarkedLine, Mark
 #[cfg(test)]
 pub(crate) use key::shipped_key;
 pub use key::{AnswerKey, KeyFault, KeyedBlank, KeyedMark, KeyedPaper, KeyedPart, KeyedQuestion};
-pub use marking::{Word, from_own_values, mark, overrule};
+pub use marking::{Word, from_own_values, mark, mark_each, overrule};
 pub use profile::{Charge, Profile};
 pub use script::{PartScript, Script};

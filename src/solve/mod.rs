@@ -21,6 +21,7 @@ use crate::number::{Angle, Letter, Value};
 pub struct Solution {
     root: Found,
     asked: Vec<Quantity>,
+    given: Known<Value>,
     known: Known<Value>,
     derivation: Derivation,
     path: Option<(Impact<Value>, Selection)>,
@@ -60,19 +61,21 @@ pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
 fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
     let roots = backwards(scene)?;
     let one = |mut root: Found| -> Result<Solution, Refusal> {
-        let mut known = pose(&root.scene)?;
+        let given = pose(&root.scene)?;
         let nothing = Known::default();
-        let path = answer_path(&known, root.derived.as_ref().unwrap_or(&nothing));
+        let path = answer_path(&given, root.derived.as_ref().unwrap_or(&nothing));
         let computed = match root.derived.take() {
             // It was examined when it was put back.
             Some(derived) => derived,
-            None => check_with(&known, path.as_ref().map_or(&nothing, |path| &path.computed))?,
+            None => check_with(&given, path.as_ref().map_or(&nothing, |path| &path.computed))?,
         };
         root.remarks.extend(needed(&root.scene, &computed));
+        let mut known = given.clone();
         let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
         Ok(Solution {
             root,
             asked: asked.to_vec(),
+            given,
             known,
             derivation,
             path: path.map(|path| (path.impact, path.selection)),
@@ -128,6 +131,11 @@ impl Solution {
     /// than an impact starts from, and the steps themselves are the way.
     pub fn selection(&self) -> Option<Selection> {
         self.path.as_ref().map(|(_, selection)| *selection)
+    }
+
+    /// What the scene gives, unknowns replaced by what was found.
+    pub fn given(&self) -> &Known<Value> {
+        &self.given
     }
 
     /// All that is known.

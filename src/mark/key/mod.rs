@@ -215,7 +215,7 @@ impl KeyedQuestion {
     ///
     /// The first thing that cannot be read, or a collision that cannot happen.
     pub fn read(question: &KeyQuestion) -> Result<KeyedQuestion, KeyFault> {
-        let scene = Scene::read(&question.scene, &Default::default(), Angles::Radians).map_err(|faults| {
+        let scene = Scene::read(&question.scene, &(), Angles::Radians).map_err(|faults| {
             let fault = faults.into_iter().next();
             let (field, fault) = fault.map(|found| (found.field, found.fault)).unzip();
             let message = fault.as_ref().map_or_else(String::new, |fault| fault.message.clone());
@@ -263,10 +263,11 @@ impl KeyedQuestion {
 
     /// What looking through working needs, made when it is first needed.
     pub(super) fn prepared(&self) -> &Prepared {
-        let (decimals, angles, masses) = (self.decimals.clone(), self.angles.clone(), self.masses.clone());
-        let found = self.solution().map_or(&[][..], Solution::found);
-        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, found, decimals, angles, masses);
-        self.prepared.get_or_init(prepare)
+        self.prepared.get_or_init(|| {
+            let (decimals, angles, masses) = (self.decimals.clone(), self.angles.clone(), self.masses.clone());
+            let found = self.solution().map_or(&[][..], Solution::found);
+            Prepared::new(&self.scene, &self.given_letters, &self.given, found, decimals, angles, masses)
+        })
     }
 
     /// The wrong values that slips lead to for an answer, each with the tags of what leads to it.
@@ -307,7 +308,7 @@ impl KeyedQuestion {
     pub(super) fn mistakes_where_found(&self) -> Option<&Mistakes> {
         let found = || {
             let solution = self.solution().filter(|solution| solution.range().is_none())?;
-            Some(self.mistakes_from(&pose(solution.scene()).ok()?, solution.sought().as_ref()))
+            Some(self.mistakes_from(solution.given(), solution.sought().as_ref()))
         };
         self.mistakes_where_found.get_or_init(found).as_ref()
     }

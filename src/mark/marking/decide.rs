@@ -288,15 +288,12 @@ pub(super) fn own_blanks(mark: &KeyedMark, part: &KeyedPart) -> Vec<usize> {
 /// Is the mark for the value of a blank?
 pub(super) fn is_own(mark: &KeyedMark, blank: &KeyedBlank) -> bool {
     match &mark.earned_for {
-        EarnedFor::Unknown(name) => blank.find == Find::Unknown(name.clone()),
+        EarnedFor::Unknown(name) => matches!(&blank.find, Find::Unknown(own) if own == name),
         // The line of centres as it is asked for is the answer itself.
         EarnedFor::Law(law, _) if law.seen() == Seen::AlongLine && mark.code.is_accuracy() => {
             blank.find.quantities().iter().any(|quantity| law.gives(*quantity))
         }
-        values => {
-            let asked = blank.find.quantities();
-            values.quantities().iter().any(|quantity| asked.contains(quantity))
-        }
+        values => values.quantities().iter().any(|quantity| blank.find.asks_for(*quantity)),
     }
 }
 

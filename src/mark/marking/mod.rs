@@ -40,6 +40,16 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
     mark_remembering(question, script, profile, &mut Memory::default())
 }
 
+/// The same for the scripts of many students; what was found of an answer is remembered.
+pub fn mark_each<'s>(
+    question: &KeyedQuestion,
+    scripts: impl IntoIterator<Item = &'s Script>,
+    profile: &Profile,
+) -> Vec<Vec<MarkedPart>> {
+    let mut memory = Memory::default();
+    scripts.into_iter().map(|script| mark_remembering(question, script, profile, &mut memory)).collect()
+}
+
 /// The same by one who remembers what was found of the answers before, all of them by this profile.
 pub(super) fn mark_remembering(
     question: &KeyedQuestion,

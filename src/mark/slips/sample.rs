@@ -60,11 +60,19 @@ impl Sample {
         if letter.range() == Range::Acute { numbers.map(f64::atan) } else { numbers }
     }
 
+    /// Is it the same at every point, as all is where there are no letters?
+    fn is_constant(self) -> bool {
+        self.0[1..].iter().all(|value| *value == self.0[0])
+    }
+
     pub(super) fn map(self, change: impl Fn(f64) -> f64) -> Sample {
-        Sample(self.0.map(change))
+        if self.is_constant() { Sample::constant(change(self.0[0])) } else { Sample(self.0.map(change)) }
     }
 
     pub(super) fn with(self, other: Sample, combine: impl Fn(f64, f64) -> f64) -> Sample {
+        if self.is_constant() && other.is_constant() {
+            return Sample::constant(combine(self.0[0], other.0[0]));
+        }
         Sample(std::array::from_fn(|point| combine(self.0[point], other.0[point])))
     }
 

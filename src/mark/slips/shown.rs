@@ -3,20 +3,22 @@
 //! [`Mistakes`](super::Mistakes) looks up what a student wrote; here nobody has written anything yet, and the question
 //! is whether its numbers would let a slip be seen.
 
+use smallvec::SmallVec;
+
 use crate::mechanics::{Axis, Datum, Known, MadeSlip, Quantity, Slip, Sought};
 use crate::number::Value;
 
 use super::asked::Asked;
 use super::backwards::{Backwards, Landed};
 use super::last_step::has_a_sense;
-use super::sample::{Sample, sampled};
+use super::sample::{POINTS, Sample, sampled};
 use super::table::value;
 use super::ways::roads;
 
 /// An answer in figures: each component at each of the fixed points of the letters, of an angle the degrees. Without a
 /// sign where the sign is no part of the answer, and of a direction the unit vector. Of a range each end, with plus or
 /// minus one for the side of it on which the range lies.
-pub type Figures = Vec<f64>;
+pub type Figures = SmallVec<[f64; 2 * POINTS]>;
 
 /// The answers of a question in figures, each where it has a value.
 pub type Answers = Vec<Option<Figures>>;
@@ -123,7 +125,7 @@ fn figures(
     if backwards.is_some_and(|backwards| !backwards.is_range) && found.iter().any(Option::is_none) {
         return None;
     }
-    let found: Option<Vec<Sample>> = answer.iter().map(|quantity| value(known.0.get(quantity)?)).collect();
+    let found: Option<SmallVec<[Sample; 2]>> = answer.iter().map(|quantity| value(known.0.get(quantity)?)).collect();
     let mut found = found.filter(|values| !values.is_empty() && values.iter().all(|value| value.is_finite()))?;
     match answer.as_slice() {
         [Quantity::Line(Axis::X) | Quantity::Tangent(Axis::X), _] => {
@@ -136,5 +138,7 @@ fn figures(
         [one] if !has_a_sense(*one) => found[0] = found[0].map(f64::abs),
         _ => {}
     }
-    Some(found.into_iter().flat_map(|value| value.0).collect())
+    let mut figures = Figures::new();
+    found.iter().for_each(|value| figures.extend_from_slice(&value.0));
+    Some(figures)
 }

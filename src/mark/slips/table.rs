@@ -202,7 +202,8 @@ pub(super) fn value(datum: &Datum<Sample>) -> Option<Sample> {
     match datum {
         Datum::Number(number) => Some(*number),
         Datum::Direction { y, x } => {
-            let exists = y.with(*x, f64::hypot).0.iter().all(|size| *size > SMALLEST);
+            let square = *y * *y + *x * *x;
+            let exists = square.0.iter().all(|square| *square > SMALLEST * SMALLEST);
             exists.then(|| y.with(*x, f64::atan2).map(f64::to_degrees))
         }
         Datum::Equation(_) => None,

@@ -1,7 +1,5 @@
 //! Wrong answers and their causes, in words and in marks.
 
-use std::collections::BTreeMap;
-
 use crate::expr::Angles;
 use crate::mark::reading::{Form, Said, Vocabulary, read_answer};
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Scene, SceneText, Sphere, pose};
@@ -16,7 +14,7 @@ const ANGLE_OF_A: Quantity = Quantity::AngleToLine(Sphere::A, Moment::After);
 
 fn scene(text: &str) -> Scene {
     let text: SceneText = serde_json::from_str(text).unwrap();
-    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap()
+    Scene::read(&text, &(), Angles::Radians).unwrap()
 }
 
 fn posed(text: &str) -> Known<Value> {
@@ -331,7 +329,7 @@ fn a_letter_is_found_again_by_who_makes_a_slip() {
     ] {
         let solution = solve(&scene(text), &[]).unwrap();
         let letters = solution.scene().letters.clone();
-        let given = pose(solution.scene()).unwrap();
+        let given = solution.given().clone();
         let mistakes = Mistakes::of(&given, std::slice::from_ref(&asked), &letters, solution.sought().as_ref());
         let values = mistakes.values(&asked);
         let found: Vec<f64> = values.iter().filter(|(tags, _)| *tags == [tag]).map(|(_, value)| value[0]).collect();
@@ -348,7 +346,7 @@ fn who_finds_nothing_finds_no_number() {
     let text = r#"{"masses": {"A": "1", "B": "3"}, "before": {"A": "5", "B": "0"}, "e": "e", "symbols": {"e": "unit"},
         "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
     let solution = solve(&scene(text), &[]).unwrap();
-    let given = pose(solution.scene()).unwrap();
+    let given = solution.given().clone();
     let mistakes = Mistakes::of(&given, &[Asked::Ends], &solution.scene().letters, solution.sought().as_ref());
     // With e = 1 or e = 0 there is no e to be found, and in a direct impact no paths are at right angles.
     let values = mistakes.values(&Asked::Ends);
@@ -363,7 +361,7 @@ fn an_end_of_a_range_that_is_none_has_its_causes() {
         "symbols": {"e": "unit"}, "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
     let solution = solve(&scene(text), &[]).unwrap();
     let letters = solution.scene().letters.clone();
-    let given = pose(solution.scene()).unwrap();
+    let given = solution.given().clone();
     let mistakes = Mistakes::of(&given, &[Asked::Ends], &letters, solution.sought().as_ref());
     let three_halves = &["e-wrong-side", "masses-swapped"][..];
     for (text, expected) in [
