@@ -191,6 +191,7 @@ fn in_words(unknowns: &[Letter], values: &[Value]) -> String {
 #[derive(Debug)]
 pub(super) struct Posed {
     pub(super) scene: Scene,
+    pub(super) given: Known<Value>,
     pub(super) known: Known<Value>,
     pub(super) derivation: Derivation,
     pub(super) asked: Vec<Quantity>,
@@ -200,7 +201,8 @@ pub(super) struct Posed {
 
 impl Posed {
     fn new(scene: Scene) -> Result<Posed, Refusal> {
-        let mut known = pose(&scene)?;
+        let given = pose(&scene)?;
+        let mut known = given.clone();
         let mut asked: Vec<Quantity> = scene.maximise.into_iter().collect();
         for condition in &scene.conditions {
             for side in [&condition.left, &condition.right] {
@@ -223,7 +225,7 @@ impl Posed {
         }
         let broken = broken_laws(&known);
         derivation.steps.extend(demanding(&scene.unknowns, &broken));
-        Ok(Posed { scene, known, derivation, asked, broken })
+        Ok(Posed { scene, given, known, derivation, asked, broken })
     }
 
     /// Every assignment of the unknowns that solves the equations, right or not.

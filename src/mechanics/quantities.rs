@@ -132,7 +132,11 @@ impl<T> FromIterator<(Quantity, T)> for Quantities<T> {
         let all = all.into_iter();
         // Room is made once, and most come in their order.
         let mut quantities = Quantities(LiteMap::with_capacity(all.size_hint().1.unwrap_or_default()));
-        all.for_each(|(quantity, about)| drop(quantities.insert(quantity, about)));
+        for (quantity, about) in all {
+            if let Some((placed, about)) = quantities.0.try_append(quantity.into(), about) {
+                quantities.0.insert(placed, about);
+            }
+        }
         quantities
     }
 }

@@ -319,6 +319,12 @@ impl Posed {
                 .map(|(quantity, relation, bound)| (meeting.quantity(*quantity), *relation, bound.clone()));
             demands.extend(later);
         }
+        // Of masses that are known and positive no ratio needs to be derived from what they do.
+        let are_known = |ratio: Quantity| {
+            let masses = Sphere::BOTH.map(|sphere| Quantity::Mass(sphere).in_impact(ratio.impact()));
+            masses.iter().all(|mass| mass.is_some_and(|mass| self.known.0.contains_key(&mass)))
+        };
+        demands.retain(|(quantity, ..)| quantity.of_its_impact() != Quantity::MassRatio || !are_known(*quantity));
         let mut known = self.known.clone();
         Derivation::carry_out(&mut known, &demands.iter().map(|(quantity, ..)| *quantity).collect::<Vec<_>>());
         let open = |value: &Value| value.has_letter(|letter| self.scene.unknowns.contains(letter));

@@ -1,10 +1,10 @@
 //! What a letter that was found backwards was found from, so that it can be found again by somebody who goes another way:
 //! with a slip, another letter comes out.
 
+use super::Quantity;
 use super::backwards::Found;
 use super::law::Known;
 use super::scene::Condition;
-use super::{Quantity, pose};
 use crate::number::{Letter, Value};
 
 /// A letter that was found, and from what.
@@ -53,7 +53,7 @@ impl Found {
         let mut asked: Vec<Quantity> = posed.asked.iter().copied().chain(bounded).collect();
         asked.sort();
         asked.dedup();
-        let given = pose(&posed.scene).ok()?;
+        let given = posed.given.clone();
         let letters = posed.scene.letters.clone();
         Some(Sought { letter: *letter, letters, given, asked, places, is_range: self.range.is_some() })
     }

@@ -8,10 +8,11 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use std::str::FromStr;
 
+use dashu_int::IBig;
 use dashu_int::ops::BitTest;
-use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
+use super::root::exact_root;
 use super::steps;
 
 /// An exact rational number in lowest terms.
@@ -235,14 +236,6 @@ impl Fraction {
             Repr::Big(value) => value.to_f64().value(),
         }
     }
-}
-
-/// The whole square root of a square, `None` for any other integer.
-pub(crate) fn exact_root(value: &IBig) -> Option<IBig> {
-    use dashu_int::ops::SquareRoot;
-    let magnitude = UBig::try_from(value.clone()).ok()?;
-    let root = magnitude.sqrt();
-    (&root * &root == magnitude).then(|| root.into())
 }
 
 fn gcd<N: Copy + Default + PartialEq + Rem<Output = N>>(mut a: N, mut b: N) -> N {

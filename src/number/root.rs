@@ -5,10 +5,9 @@ use std::cmp::Ordering;
 use std::collections::VecDeque;
 use std::sync::LazyLock;
 
-use dashu_int::IBig;
-use dashu_int::ops::BitTest;
+use dashu_int::ops::{BitTest, SquareRoot};
+use dashu_int::{IBig, UBig};
 
-use super::fraction::exact_root;
 use super::polynomial::Polynomial;
 use super::value::{Root, Terms, Value, integer};
 use super::{Fraction, Range, steps};
@@ -133,6 +132,13 @@ impl Value {
         let small = root_of_fraction(&(&(&a - &s) * &half))?;
         Some(if negative { &large - &small } else { &large + &small })
     }
+}
+
+/// The whole square root of a square, `None` for any other integer.
+pub(super) fn exact_root(value: &IBig) -> Option<IBig> {
+    let magnitude = UBig::try_from(value.clone()).ok()?;
+    let root = magnitude.sqrt();
+    (&root * &root == magnitude).then(|| root.into())
 }
 
 /// √(n/d) = (s/d) √r where n d = s² r.

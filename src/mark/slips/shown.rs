@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use crate::mechanics::{Axis, Datum, Known, MadeSlip, Quantity, Slip, Sought};
+use crate::mechanics::{Axis, Carried, Datum, Known, MadeSlip, Quantity, Slip, Sought, Trace};
 use crate::number::Value;
 
 use super::asked::Asked;
@@ -78,6 +78,13 @@ fn carried_out(
     let places = || backwards.into_iter().flat_map(|backwards| (0..backwards.count()).map(move |at| (backwards, at)));
     let found: Vec<Option<Landed>> = places().map(|(backwards, at)| Some(backwards.right(at))).collect();
     let right = all(roads[0].known(), &found);
+    let changed = |carried: &Carried<Sample>, trace: Trace| -> Answers {
+        let one = |(asked, right): (&Asked, &Option<Figures>)| {
+            let is_changed = asked.quantities().iter().any(|quantity| carried.is_changed(*quantity, trace));
+            if is_changed { figures(asked, carried.known(), None, &[]) } else { right.clone() }
+        };
+        answers.iter().zip(&right).map(one).collect()
+    };
     let mut outcomes = Vec::new();
     for (slip, owned) in Slip::all().iter().enumerate() {
         let mut acts = false;
@@ -85,7 +92,7 @@ fn carried_out(
             let made = [MadeSlip::everywhere(*owned)];
             let looked = road.again(&made, &[], |carried, trace| {
                 // What is found backwards is not known yet.
-                carried.is_anything_changed(trace).then(|| backwards.is_none().then(|| all(carried.known(), &[])))
+                carried.is_anything_changed(trace).then(|| backwards.is_none().then(|| changed(carried, trace)))
             });
             acts |= looked.is_some();
             let outcome = looked?.unwrap_or_else(|| {
