@@ -8,7 +8,8 @@ use super::pose::relative;
 use super::refusal::{Because, Refusal};
 use super::scene::{Contact, Scene};
 use super::scene_text::Sense;
-use crate::number::Value;
+use super::unknowns::substituted;
+use crate::number::{Letter, Value};
 
 /// The scene with its line of centres turned either way, if the way is open.
 pub(super) fn either_way(scene: &Scene) -> Option<[Scene; 2]> {
@@ -43,7 +44,11 @@ pub(super) fn of_both_ways(scene: &Scene, found: [Result<Vec<Found>, Refusal>; 2
         return Err(refusals.swap_remove(0));
     }
     for one in &mut all {
-        one.scene.contact.clone_from(&scene.contact);
+        // The line of centres has no sense again, and what was found in the place of letters.
+        let (letters, values): (Vec<Letter>, Vec<Value>) = one.values.iter().cloned().unzip();
+        if let Some(there) = substituted(scene, &letters, &values) {
+            one.scene.contact = there.contact;
+        }
         let open = refusals.iter().filter(|refusal| refusal.because != Because::Impossible);
         one.remarks
             .extend(open.map(|refusal| format!("with the line of centres the other way round {}", refusal.reason)));

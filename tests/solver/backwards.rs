@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use carom::expr::{Angles, Expr, Meaning, Relation, Turn, holds, print, read as read_expr};
-use carom::mechanics::{Because, Quantity, Refusal, Scene, SceneText};
+use carom::mechanics::{Axis, Because, Datum, Moment, Quantity, Refusal, Scene, SceneText, Sphere};
 use carom::number::{Letter, Range, Value};
 use carom::solve::{Solution, solve_all};
 use serde::Deserialize;
@@ -89,6 +89,17 @@ fn satisfied(case: &Case, solution: &Solution) -> bool {
     })
 }
 
+/// Is a letter that was found still there, in what follows for the velocities along i and j?
+fn is_left_standing(solution: &Solution) -> bool {
+    let has_found =
+        |value: &Value| value.letters().iter().any(|own| solution.found().iter().any(|(letter, _)| letter == own));
+    solution.known().0.iter().any(|(_, datum)| match datum {
+        Datum::Number(value) => has_found(value),
+        Datum::Direction { y, x } => has_found(y) || has_found(x),
+        Datum::Equation(coefficients) => coefficients.iter().any(has_found),
+    })
+}
+
 fn kind(refusal: &Refusal) -> &'static str {
     match refusal.because {
         Because::Impossible => "impossible",
@@ -99,7 +110,9 @@ fn kind(refusal: &Refusal) -> &'static str {
 
 fn complaint(case: &Case) -> Option<String> {
     let started = Instant::now();
-    let outcome = solve_all(&scene(case), &spoken_of(case));
+    let after = |axis| Quantity::Velocity(Sphere::A, Moment::After, axis);
+    let asked: Vec<Quantity> = spoken_of(case).into_iter().chain([Axis::X, Axis::Y].map(after)).collect();
+    let outcome = solve_all(&scene(case), &asked);
     if started.elapsed() > LONGEST {
         return Some(format!("takes {:?}", started.elapsed()));
     }
@@ -126,6 +139,9 @@ fn complaint(case: &Case) -> Option<String> {
     }
     if let Some(solution) = solutions.iter().find(|solution| !satisfied(case, solution)) {
         return Some(format!("{:?} does not satisfy the condition", solution.found()));
+    }
+    if let Some(solution) = solutions.iter().find(|solution| is_left_standing(solution)) {
+        return Some(format!("{:?} is found and not put in", solution.found()));
     }
     let remarks: Vec<&String> = solutions.iter().flat_map(Solution::remarks).collect();
     let named = |root: &&String| !remarks.iter().any(|remark| remark.starts_with(&format!("{root} is left out")));
