@@ -11,6 +11,9 @@ use super::{Fraction, Polynomial};
 /// In a longer value the squares on the way would grow too long.
 const LONGEST: usize = 24;
 
+/// Of which numbers times a value the root is looked for.
+const SHARES: [i64; 8] = [1, 2, 3, 5, 6, 7, 10, 15];
+
 /// Each root makes three questions of one.
 const MOST_ROOTS: usize = 4;
 
@@ -18,14 +21,27 @@ impl Value {
     /// `f` where the value is written as `f²`, which the absolute value of a formula of unknown sign is.
     pub fn square_root_of_square(&self) -> Option<Value> {
         let roots = self.roots();
-        let plain = |root: &Root| !matches!(root, Root::Nested { .. });
-        let can_be = roots.len() <= MOST_ROOTS && self.terms() <= LONGEST && roots.iter().all(plain);
-        if can_be && !is_no_square(self, &roots) { within(self, &roots) } else { None }
+        if self.may_be_square(&roots) { within(self, &roots) } else { None }
     }
 
-    /// The square root that is not negative of a square with roots in it, whose own root has none inside another.
+    fn may_be_square(&self, roots: &[Root]) -> bool {
+        let plain = |root: &Root| !matches!(root, Root::Nested { .. });
+        let can_be = roots.len() <= MOST_ROOTS && self.terms() <= LONGEST && roots.iter().all(plain);
+        can_be && !is_no_square(self, roots)
+    }
+
+    /// The square root that is not negative of a value with roots in it, as a sum without a root inside another: of a square,
+    /// and of one over a small number, as 2 + √3 is half of (1 + √3)².
     pub(super) fn root_of_surds(&self) -> Option<Value> {
-        if self.roots().is_empty() { None } else { Some(self.square_root_of_square()?.absolute()) }
+        let roots = self.roots();
+        // The small numbers are squares modulo the prime, so what is no square there is none times any of them.
+        if roots.is_empty() || !self.may_be_square(&roots) {
+            return None;
+        }
+        SHARES.into_iter().find_map(|share| {
+            let share = Value::from(share);
+            within(&(self * &share), &roots)?.absolute().divided_by(&share.square_root()?)
+        })
     }
 }
 
@@ -116,6 +132,26 @@ mod tests {
         for value in [&Value::ONE + &surd(3), &Value::from(2) + &surd(3), &surd(2) * &x, &(&surd(3) * &x) + &Value::ONE]
         {
             assert_eq!(value.square_root_of_square(), None, "{value:?}");
+        }
+    }
+
+    #[test]
+    fn a_root_with_surds_inside_is_a_sum_if_it_can_be() {
+        let u = Value::letter(Letter::new("u", Range::Positive).unwrap());
+        let sum = |numbers: &[(i64, i64)]| {
+            let one = |(number, root): &(i64, i64)| &Value::from(*number) * &surd(*root);
+            numbers.iter().map(one).reduce(|sum, term| &sum + &term).unwrap()
+        };
+        for root in [
+            sum(&[(1, 2), (1, 6)]),
+            sum(&[(3, 6), (3, 10)]),
+            sum(&[(6, 6), (2, 14)]),
+            sum(&[(15, 10), (-9, 6)]),
+            sum(&[(3, 2), (3, 6), (2, 10), (2, 30)]),
+        ] {
+            assert_eq!((&root * &root).square_root(), Some(root.clone()));
+            let lettered = &root * &u;
+            assert_eq!((&lettered * &lettered).square_root(), Some(lettered));
         }
     }
 
