@@ -3,6 +3,7 @@
 use super::{Reader, at_most};
 use crate::diagnostic::near;
 use crate::expr::{Angles, Expr, Fault, Span, read};
+use crate::mechanics::Quantity;
 use crate::mechanics::scene_text::SceneText;
 use crate::number::{Letter, Range};
 
@@ -73,9 +74,10 @@ fn is_name(name: &str) -> bool {
         && name.chars().all(|sign| sign.is_ascii_alphanumeric() || sign == '_')
 }
 
-/// Is it a constant or a function in every formula, such as `pi`?
+/// Is it a constant or a function in every formula, such as `pi`, or a quantity, such as `approach`? *e* is a letter as well.
 fn has_a_meaning(name: &str) -> bool {
-    !matches!(read(name, Angles::Radians), Ok(Expr::Name(_)))
+    let is_quantity = || name != "e" && name.parse::<Quantity>().is_ok();
+    !matches!(read(name, Angles::Radians), Ok(Expr::Name(_))) || is_quantity()
 }
 
 /// Which letters there are, or how they are declared.
