@@ -7,6 +7,7 @@
 use crate::expr::{Expr, Function};
 use crate::mark::enclosure::about;
 use crate::mark::reading::{Form, Said, Statement};
+use crate::mechanics::Quantity;
 
 use super::accuracy::Written;
 use super::exact::{self, Equality};
@@ -33,6 +34,7 @@ pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
             finding if !finding.is_credited() && equation.is_by_restitution(model) => {
                 finding.or_better(links(statement, one))
             }
+            finding if !finding.is_credited() => of_formula(model, statement, one).unwrap_or(finding),
             finding => finding,
         },
         _ => links(statement, &|said, label| match left_side::unnamed(model, said) {
@@ -49,9 +51,35 @@ pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
         Left::Another if finding.is_credited() && finding.note != Some(Note::AngleForTangent) => {
             Finding::unreadable(Note::NamedOtherwise)
         }
-        Left::NameOrPower(equation) if !finding.is_credited() => of_equation(&equation),
+        Left::NameOrPower(equation) if !finding.is_credited() => match of_equation(&equation) {
+            finding if finding.is_credited() => finding,
+            finding => of_formula(model, statement, one).unwrap_or(finding),
+        },
         _ => called::as_remarked(model, statement, called::as_called(model, statement, finding)),
     }
+}
+
+/// `√(v² + 3.625²) = 3.76`: what is asked, by its components of which one is a letter from the working; and `20(1 + f) = 35`,
+/// by a coefficient of restitution that has a value there, which is for a person. Other formulas are equations for the letter.
+fn of_formula(model: &Model, statement: &Statement, one: One) -> Option<Finding> {
+    let formula = statement.label.as_ref()?.expr.as_ref()?;
+    let last = one(statement.said.last()?, None);
+    if !last.is_correct() {
+        return None;
+    }
+    let is_square = |term: &Expr| matches!(term, Expr::Power(_, two) if **two == Expr::integer(2));
+    if let Expr::Call(Function::Sqrt, under) = formula
+        && let Expr::Sum(terms) = &**under
+        && terms.iter().any(|term| is_square(term) && !term.names().is_empty())
+    {
+        return Some(last);
+    }
+    let is_known = |name: &str| model.vocabulary.letters.iter().any(|letter| letter.name() == name);
+    let is_restitution = |name: &str| matches!(name, "e" | "f") && !is_known(name);
+    let names = formula.names();
+    let is_by_restitution = !names.is_empty() && names.iter().all(|name| is_restitution(&name.text));
+    let is_asked = model.quantity.is_none_or(|asked| asked.of_its_impact() == Quantity::Restitution);
+    (is_by_restitution && !is_asked).then(|| Finding::unreadable(Note::CannotBeCompared))
 }
 
 fn is_of_angle(said: &Said) -> bool {

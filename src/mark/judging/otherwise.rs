@@ -9,7 +9,7 @@ use super::spheres::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
 pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
-    const FILLERS: [&str; 24] = [
+    const FILLERS: [&str; 25] = [
         "",
         "only",
         "alone",
@@ -18,6 +18,7 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
         "the",
         "of",
         "by",
+        "through",
         "on",
         "for",
         "is",

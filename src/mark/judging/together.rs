@@ -25,12 +25,24 @@ pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadab
         if reading.remarks().any(|remark| is_aside(remark)) {
             return vec![Finding::unreadable(Note::SeveralAnswers); models.len()];
         }
-        let shares = shared_out(models, &with_directions_apart(models, reading));
-        models
-            .iter()
-            .zip(&shares)
-            .map(|(model, share)| share.as_ref().map_or(BLANK, |share| one(model, share)))
-            .collect()
+        let in_order = |reading: &Reading| -> Vec<Finding> {
+            let shares = shared_out(models, &with_directions_apart(models, reading));
+            let of_each = models.iter().zip(&shares);
+            of_each.map(|(model, share)| share.as_ref().map_or(BLANK, |share| one(model, share))).collect()
+        };
+        let findings = in_order(reading);
+        // `w = 20, v = 11`, where 11 is asked first: the letters may say which is which.
+        let turned_round =
+            || Reading { statements: reading.statements.iter().rev().cloned().collect(), ..reading.clone() };
+        let are_letters =
+            models.len() == 2 && reading.statements.len() == 2 && reading.statements.iter().all(has_letter);
+        if are_letters
+            && !findings.iter().any(Finding::is_credited)
+            && in_order(&turned_round()).iter().all(Finding::is_correct)
+        {
+            return vec![Finding::unreadable(Note::NamedOtherwise); models.len()];
+        }
+        findings
     };
     let worth = |findings: &[Finding]| {
         findings.iter().map(|finding| (finding.is_correct(), finding.is_credited())).fold(
@@ -109,6 +121,11 @@ fn leads_to_angle(statement: &Statement, reading: &Reading) -> bool {
     let expr = |statement: &Statement| statement.label.as_ref().and_then(|label| label.expr.clone());
     let Some(Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle)) = expr(statement) else { return false };
     reading.statements.iter().any(|other| expr(other).is_some_and(|named| named == *angle))
+}
+
+/// Is it called by a letter?
+fn has_letter(statement: &Statement) -> bool {
+    matches!(statement.label.as_ref().and_then(|label| label.expr.as_ref()), Some(Expr::Name(_)))
 }
 
 /// `13.3° at α = 38.3°`: is it called by the letter that is to be found?

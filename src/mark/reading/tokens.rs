@@ -260,6 +260,11 @@ impl Lexer<'_> {
                 self.put(Token::Word("and".to_owned()), 1);
                 return Ok(());
             }
+            // `-2~i`, as LaTeX ties them.
+            '~' if self.is_tie() => {
+                self.at += 1;
+                return Ok(());
+            }
             '~' => {
                 self.put(Token::Sign('≈'), 1);
                 return Ok(());
@@ -275,6 +280,12 @@ impl Lexer<'_> {
         }
         self.put(Token::Sign(token), length);
         Ok(())
+    }
+
+    /// Does it stand between a number and a letter, with no blank?
+    fn is_tie(&self) -> bool {
+        let before = self.at.checked_sub(1).map(|at| self.glyphs[at].sign);
+        before.is_some_and(|sign| sign.is_ascii_digit()) && self.sign(1).is_some_and(char::is_alphabetic)
     }
 
     /// `4i^ + j^`: does it stand straight behind an i or j, with no exponent after it?

@@ -54,6 +54,13 @@ fn two_things_asked_together_are_told_apart_by_label_or_by_order() {
     assert_eq!(together(&[(None, "1"), (None, "3.61")]), ["correct", "correct"]);
     assert_eq!(together(&[(None, "3.61"), (None, "1")]), ["wrong", "wrong"]);
     assert_eq!(together(&[(Some("B"), "3.61"), (Some("A"), "1")]), ["correct", "correct"]);
+    // Which is which the letters may say, and only to a person.
+    let by_letters = |typed: &str| -> Vec<String> {
+        judge_together(&models, &read_answer(typed, &models[0].vocabulary)).iter().map(named).collect()
+    };
+    assert_eq!(by_letters("v = 1, w = 3.61"), ["correct", "correct"]);
+    assert_eq!(by_letters("w = 3.61, v = 1"), ["unreadable named-otherwise", "unreadable named-otherwise"]);
+    assert_eq!(by_letters("w = 3.61, v = 2"), ["wrong", "wrong"]);
     assert_eq!(together(&[(Some("speed of A"), "1")]), ["correct", "blank blank"]);
     assert_eq!(together(&[(None, "1")]), ["correct", "blank blank"]);
 }
