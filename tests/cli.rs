@@ -493,6 +493,11 @@ fn hostile_scenes_are_refused_and_never_panic() {
         ("velocity", b"{\"before\": {\"A\": [\"1\", \"2\", \"3\"]}}", "found 3"),
         ("unknown key", b"{\"mass\": {}}", "mass"),
         ("unknown letter", b"{\"e\": \"q\"}", "symbols"),
+        (
+            "quantity for a letter",
+            b"{\"e\": \"approach\", \"symbols\": {\"approach\": \"unit\"}}",
+            "no name of a letter",
+        ),
         ("unknown toml key", b"mass = '1'", "mass"),
         ("duplicate", b"e = '1'\ne = '1'", "second time"),
         ("formula", b"{\"e\": \"1/(1-1)\"}", "error"),

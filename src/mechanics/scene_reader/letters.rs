@@ -29,6 +29,7 @@ impl Reader<'_> {
                     let message = format!("no name of a letter: `{name}`");
                     self.fault(&field, Fault::new(message, Span::default(), "it has a meaning of its own in formulas"));
                     self.help("call the letter something else");
+                    self.letters.extend(Letter::new(name, found));
                 }
                 Some(letter) => self.letters.push(letter),
                 None => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
