@@ -303,7 +303,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
 }
 
 /// Is it called by a single letter?
-fn is_called_by_a_letter(statement: &Statement) -> bool {
+pub(super) fn is_called_by_a_letter(statement: &Statement) -> bool {
     let name = statement.label.as_ref().and_then(|label| label.expr.as_ref());
     matches!(name, Some(Expr::Name(name)) if name.text.chars().count() == 1)
 }

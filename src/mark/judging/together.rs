@@ -9,6 +9,7 @@ use crate::expr::{Expr, Function};
 use crate::mechanics::Sphere;
 
 use super::finding::Finding;
+use super::statements::is_called_by_a_letter;
 use super::{BLANK, Judgement, Model, Note, besides, one, refused, report, spheres, velocity};
 
 /// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
@@ -35,7 +36,7 @@ pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadab
         let turned_round =
             || Reading { statements: reading.statements.iter().rev().cloned().collect(), ..reading.clone() };
         let are_letters =
-            models.len() == 2 && reading.statements.len() == 2 && reading.statements.iter().all(has_letter);
+            models.len() == 2 && reading.statements.len() == 2 && reading.statements.iter().all(is_called_by_a_letter);
         if are_letters
             && !findings.iter().any(Finding::is_credited)
             && in_order(&turned_round()).iter().all(Finding::is_correct)
@@ -121,11 +122,6 @@ fn leads_to_angle(statement: &Statement, reading: &Reading) -> bool {
     let expr = |statement: &Statement| statement.label.as_ref().and_then(|label| label.expr.clone());
     let Some(Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle)) = expr(statement) else { return false };
     reading.statements.iter().any(|other| expr(other).is_some_and(|named| named == *angle))
-}
-
-/// Is it called by a letter?
-fn has_letter(statement: &Statement) -> bool {
-    matches!(statement.label.as_ref().and_then(|label| label.expr.as_ref()), Some(Expr::Name(_)))
 }
 
 /// `13.3° at α = 38.3°`: is it called by the letter that is to be found?
