@@ -201,13 +201,14 @@ impl Answer {
 pub(super) fn value(datum: &Datum<Sample>) -> Option<Sample> {
     match datum {
         Datum::Number(number) => Some(*number),
-        Datum::Direction { y, x } => {
-            let square = *y * *y + *x * *x;
-            let exists = square.0.iter().all(|square| *square > SMALLEST * SMALLEST);
-            exists.then(|| y.with(*x, f64::atan2).map(f64::to_degrees))
-        }
+        Datum::Direction { y, x } => has_direction(*x, *y).then(|| y.with(*x, f64::atan2).map(f64::to_degrees)),
         Datum::Equation(_) => None,
     }
+}
+
+/// Is a vector long enough to have a direction, at every point?
+fn has_direction(x: Sample, y: Sample) -> bool {
+    (x * x + y * y).0.iter().all(|square| *square > SMALLEST * SMALLEST)
 }
 
 /// The size of a number or vector.
@@ -231,7 +232,6 @@ fn sizes(written: &[Written]) -> (f64, f64) {
 
 fn are_parallel(one: &Values, two: &[Sample]) -> bool {
     let [[a, b], [c, d]] = [[one[0], one[1]], [two[0], two[1]]];
-    let exists = |x: Sample, y: Sample| x.with(y, f64::hypot).0.iter().all(|size| *size > SMALLEST);
     let cross = (a * d - b * c).size().with(size(one) * size(two), |cross, sizes| cross / sizes);
-    exists(a, b) && exists(c, d) && cross.0.iter().all(|sine| *sine < SAME)
+    has_direction(a, b) && has_direction(c, d) && cross.0.iter().all(|sine| *sine < SAME)
 }

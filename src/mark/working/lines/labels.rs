@@ -118,9 +118,7 @@ enum Label {
     Numeral,
     /// `①`, which says nothing where nothing leads there.
     Figure,
-    /// `(3)` behind a number, which may multiply it. Behind anything else it is read as [`without_number`] says.
-    ///
-    /// [`without_number`]: crate::mark::reading
+    /// `(3)` behind a number, which may multiply it. Behind anything else the reader of answers knows it for a label.
     Number,
 }
 
