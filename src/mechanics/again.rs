@@ -15,6 +15,8 @@ pub struct Carried<N> {
     plan: Arc<Plan>,
     order: Arc<Order>,
     known: Known<N>,
+    /// Room for what is put back.
+    before: Vec<(Quantity, Option<Datum<N>>)>,
 }
 
 /// A slip that is made in the place of the law that owns it.
@@ -144,7 +146,7 @@ impl<N: Number + PartialEq> Carried<N> {
         let mut known = given.clone();
         let plan = Derivation::carry_out_by(road, &mut known, &Known::default(), asked);
         let order = plan.order(given.0.keys().copied(), asked);
-        Carried { plan, order, known }
+        Carried { plan, order, known, before: Vec::new() }
     }
 
     /// The steps.
@@ -204,7 +206,7 @@ impl<N: Number + PartialEq> Carried<N> {
         other: &[(Quantity, Datum<N>)],
         look: impl FnOnce(&Carried<N>, Trace) -> R,
     ) -> R {
-        let mut before: Vec<(Quantity, Option<Datum<N>>)> = Vec::with_capacity(self.known.0.len());
+        let mut before = std::mem::take(&mut self.before);
         let mut trace = Trace::default();
         for (quantity, datum) in other {
             before.push((*quantity, self.known.0.insert(*quantity, datum.clone())));
@@ -227,23 +229,24 @@ impl<N: Number + PartialEq> Carried<N> {
             for (quantity, entered) in step.gives.iter().zip(&self.order.gives[place]) {
                 let datum = found.next();
                 let Some(entered) = entered.filter(|entered| !kept.has(*entered)) else { continue };
-                if self.known.0.get(quantity) != datum.as_ref() {
-                    let old = match datum {
-                        Some(datum) => self.known.0.insert(*quantity, datum),
-                        None => self.known.0.remove(quantity),
-                    };
-                    before.push((*quantity, old));
-                    trace.changed = trace.changed.with(entered);
-                }
+                let old = match (self.known.0.get_mut(quantity), datum) {
+                    (Some(old), Some(datum)) if *old != datum => Some(std::mem::replace(old, datum)),
+                    (Some(_), None) => self.known.0.remove(quantity),
+                    (None, Some(datum)) => self.known.0.insert(*quantity, datum),
+                    _ => continue,
+                };
+                before.push((*quantity, old));
+                trace.changed = trace.changed.with(entered);
             }
         }
         let seen = look(self, trace);
-        for (quantity, old) in before.into_iter().rev() {
+        for (quantity, old) in before.drain(..).rev() {
             match old {
                 Some(datum) => self.known.0.insert(quantity, datum),
                 None => self.known.0.remove(&quantity),
             };
         }
+        self.before = before;
         seen
     }
 

@@ -37,12 +37,12 @@ pub struct Later {
 }
 
 /// The quantities of one impact, each at its place.
-fn of_an_impact() -> &'static [Option<Quantity>; OF_AN_IMPACT as usize] {
-    static ALL: OnceLock<[Option<Quantity>; OF_AN_IMPACT as usize]> = OnceLock::new();
+fn of_an_impact() -> &'static [Option<Quantity>; OF_AN_IMPACT] {
+    static ALL: OnceLock<[Option<Quantity>; OF_AN_IMPACT]> = OnceLock::new();
     ALL.get_or_init(|| {
-        let mut all = [None; OF_AN_IMPACT as usize];
+        let mut all = [None; OF_AN_IMPACT];
         for quantity in Quantity::of_an_impact() {
-            all[usize::from(quantity.place())] = Some(quantity);
+            all[quantity.place()] = Some(quantity);
         }
         all
     })
@@ -80,8 +80,8 @@ impl Later {
     }
 
     /// Its place among all quantities.
-    pub(super) fn place_among_all(self) -> u16 {
-        OF_AN_IMPACT * u16::from(self.number) + u16::from(self.place)
+    pub(super) fn place_among_all(self) -> usize {
+        OF_AN_IMPACT * usize::from(self.number) + usize::from(self.place)
     }
 }
 

@@ -2,20 +2,18 @@
 
 use super::{Axis, Moment, Quantity, Sphere};
 
-/// The first place that no quantity of the first impact has; each later impact has as many places.
-pub(super) const OF_AN_IMPACT: u16 = 256;
-
-/// The first place of meetings, after the quantities of all impacts.
-const MEETINGS: u16 = 4 * OF_AN_IMPACT;
+/// The first place that no quantity of the first impact has, nor what says which impacts there are; the quantities of each
+/// later impact have as many places.
+pub(super) const OF_AN_IMPACT: usize = 256;
 
 impl Quantity {
     /// Its place. Places are in the order in which quantities are declared, and no two quantities share one.
-    pub(super) fn place(self) -> u16 {
+    pub(super) fn place(self) -> usize {
         use Quantity::*;
-        let of = |first: u16, sphere: Sphere| first + sphere as u16;
-        let at = |first: u16, sphere: Sphere, moment: Moment| first + 2 * sphere as u16 + moment as u16;
+        let of = |first: usize, sphere: Sphere| first + sphere as usize;
+        let at = |first: usize, sphere: Sphere, moment: Moment| first + 2 * sphere as usize + moment as usize;
         let along =
-            |first: u16, sphere: Sphere, moment: Moment, axis: Axis| first + 4 * at(0, sphere, moment) + axis as u16;
+            |first: usize, sphere: Sphere, moment: Moment, axis: Axis| first + 4 * at(0, sphere, moment) + axis as usize;
         match self {
             Mass(sphere) => of(0, sphere),
             Velocity(sphere, moment, axis) => along(3, sphere, moment, axis),
@@ -34,7 +32,7 @@ impl Quantity {
             DeflectionCross(sphere) => of(111, sphere),
             DeflectionDot(sphere) => of(114, sphere),
             TanDeflection(sphere) => of(117, sphere),
-            Impulse(sphere, axis) => 120 + 4 * sphere as u16 + axis as u16,
+            Impulse(sphere, axis) => 120 + 4 * sphere as usize + axis as usize,
             SphereEnergyLost(sphere) => of(132, sphere),
             SphereEnergyGained(sphere) => of(135, sphere),
             ImpulseMagnitude => 138,
@@ -43,25 +41,25 @@ impl Quantity {
             Separation => 141,
             Restitution => 142,
             MassRatio => 143,
-            Line(axis) => 144 + axis as u16,
-            Tangent(axis) => 148 + axis as u16,
-            TotalEnergy(moment) => 152 + moment as u16,
+            Line(axis) => 144 + axis as usize,
+            Tangent(axis) => 148 + axis as usize,
+            TotalEnergy(moment) => 152 + moment as usize,
             EnergyLost => 154,
             FractionLost => 155,
-            TotalMomentum(axis) => 156 + axis as u16,
-            AngleBetween(moment) => 160 + moment as u16,
+            TotalMomentum(axis) => 156 + axis as usize,
+            AngleBetween(moment) => 160 + moment as usize,
             Alpha => 162,
             GivenDirection(sphere, moment) => at(163, sphere, moment),
-            GivenImpulse(axis) => 169 + axis as u16,
+            GivenImpulse(axis) => 169 + axis as usize,
             ContactSine => 173,
             MomentumEquation => 174,
             RestitutionEquation => 175,
-            Later(later) => later.place_among_all(),
+            InALine => 176,
             Meeting(meeting) => {
-                let [first, second] = meeting.of.map(|sphere| sphere as u16);
-                MEETINGS + 2 * (3 * (3 * u16::from(meeting.number) + first) + second) + u16::from(meeting.with_wall)
+                let [first, second] = meeting.of.map(|sphere| sphere as usize);
+                177 + 2 * (3 * (3 * usize::from(meeting.number) + first) + second) + usize::from(meeting.with_wall)
             }
-            InALine => u16::MAX,
+            Later(later) => later.place_among_all(),
         }
     }
 }
@@ -83,7 +81,7 @@ mod tests {
         all.extend(meetings.map(Quantity::Meeting));
         all.push(Quantity::InALine);
         all.sort();
-        let places: Vec<u16> = all.iter().map(|quantity| quantity.place()).collect();
+        let places: Vec<usize> = all.iter().map(|quantity| quantity.place()).collect();
         assert!(places.windows(2).all(|pair| pair[0] < pair[1]), "{places:?}");
     }
 }

@@ -33,12 +33,11 @@ fn enter(
     banned: &[&'static Rule],
     row: &mut Vec<usize>,
 ) {
-    let places = |quantity: Quantity| usize::from(quantity.place());
     row.clear();
     row.extend([road as usize, asked.len(), banned.len()]);
-    row.extend(asked.iter().copied().map(places));
+    row.extend(asked.iter().copied().map(Quantity::place));
     row.extend(banned.iter().map(|rule| std::ptr::from_ref(*rule).addr()));
-    row.extend(given.map(places));
+    row.extend(given.map(Quantity::place));
 }
 
 impl Plan {

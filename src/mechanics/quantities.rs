@@ -1,142 +1,144 @@
-//! Something about each of many quantities, in one row sorted by the quantities' places.
+//! Something about each of many quantities, in the order of the quantities' places.
 //!
-//! What is known of a collision is looked up and copied more often than anything else is done. So a quantity is looked up
-//! by its place among all quantities, which is one number, worked out once for each look.
-
-use std::borrow::Borrow;
-use std::cmp::Ordering;
-
-use litemap::LiteMap;
+//! What is known of a collision is looked up, changed and copied more often than anything else is done. So where the entry
+//! of a quantity stands is read off at the quantity's place, and entries stay where they are when others come.
 
 use super::Quantity;
+use super::place::OF_AN_IMPACT;
 
-/// A map from quantities, sorted as they are declared.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Quantities<T>(LiteMap<Placed, T>);
-
-/// A quantity with its place, by which it is compared.
-#[derive(Clone, Copy, Debug)]
-struct Placed {
-    place: u16,
-    quantity: Quantity,
-}
-
-impl From<Quantity> for Placed {
-    fn from(quantity: Quantity) -> Placed {
-        Placed { place: quantity.place(), quantity }
-    }
-}
-
-impl PartialEq for Placed {
-    fn eq(&self, other: &Placed) -> bool {
-        self.place == other.place
-    }
-}
-
-impl Eq for Placed {}
-
-impl PartialOrd for Placed {
-    fn partial_cmp(&self, other: &Placed) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Placed {
-    fn cmp(&self, other: &Placed) -> Ordering {
-        self.place.cmp(&other.place)
-    }
-}
-
-impl Borrow<u16> for Placed {
-    fn borrow(&self) -> &u16 {
-        &self.place
-    }
+/// A map from quantities, in the order in which they are declared.
+#[derive(Clone, Debug)]
+pub struct Quantities<T> {
+    /// Of the quantity at each place which entry it has, counted from one; nought where it has none.
+    numbers: Vec<u16>,
+    /// As they were entered.
+    entries: Vec<(Quantity, T)>,
 }
 
 impl<T> Default for Quantities<T> {
     fn default() -> Quantities<T> {
-        Quantities(LiteMap::new())
+        Quantities { numbers: Vec::new(), entries: Vec::new() }
+    }
+}
+
+impl<T: PartialEq> PartialEq for Quantities<T> {
+    fn eq(&self, other: &Quantities<T>) -> bool {
+        self.len() == other.len() && self.entries.iter().all(|(quantity, about)| other.get(quantity) == Some(about))
     }
 }
 
 impl<T> Quantities<T> {
     /// How many there are.
     pub fn len(&self) -> usize {
-        self.0.len()
+        self.entries.len()
     }
 
     /// Is there none?
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.entries.is_empty()
     }
 
     /// Makes room for so many more.
     pub fn reserve(&mut self, more: usize) {
-        self.0.reserve(more);
+        self.entries.reserve(more);
+    }
+
+    /// Which entry the quantity at a place has.
+    fn entry(&self, place: usize) -> Option<usize> {
+        usize::from(*self.numbers.get(place)?).checked_sub(1)
     }
 
     /// What there is about a quantity.
     pub fn get(&self, quantity: &Quantity) -> Option<&T> {
-        self.0.get(&quantity.place())
+        self.entry(quantity.place()).map(|entry| &self.entries[entry].1)
+    }
+
+    /// The same, to be changed.
+    pub fn get_mut(&mut self, quantity: &Quantity) -> Option<&mut T> {
+        self.entry(quantity.place()).map(|entry| &mut self.entries[entry].1)
     }
 
     /// Is there anything about a quantity?
     pub fn contains_key(&self, quantity: &Quantity) -> bool {
-        self.0.contains_key(&quantity.place())
+        self.entry(quantity.place()).is_some()
     }
 
     /// Enters something about a quantity; what was there before.
     pub fn insert(&mut self, quantity: Quantity, about: T) -> Option<T> {
-        self.0.insert(quantity.into(), about)
+        let place = quantity.place();
+        match self.entry(place) {
+            Some(entry) => Some(std::mem::replace(&mut self.entries[entry].1, about)),
+            None => {
+                self.append(quantity, place, about);
+                None
+            }
+        }
     }
 
     /// Enters something about a quantity, unless there is something already.
     pub fn insert_new(&mut self, quantity: Quantity, about: T) {
-        self.0.try_insert(quantity.into(), about);
+        let place = quantity.place();
+        if self.entry(place).is_none() {
+            self.append(quantity, place, about);
+        }
+    }
+
+    /// Enters something about a quantity about which there is nothing.
+    fn append(&mut self, quantity: Quantity, place: usize, about: T) {
+        if self.numbers.len() <= place {
+            self.numbers.resize((place + 1).next_multiple_of(OF_AN_IMPACT), 0);
+        }
+        self.entries.push((quantity, about));
+        self.numbers[place] = u16::try_from(self.entries.len()).expect("there are fewer quantities than that");
     }
 
     /// Takes out what there is about a quantity.
     pub fn remove(&mut self, quantity: &Quantity) -> Option<T> {
-        self.0.remove(&quantity.place())
+        let place = quantity.place();
+        let entry = self.entry(place)?;
+        if let Some((last, _)) = self.entries.last() {
+            self.numbers[last.place()] = self.numbers[place];
+        }
+        self.numbers[place] = 0;
+        Some(self.entries.swap_remove(entry).1)
     }
 
     /// The quantities.
-    pub fn keys(&self) -> impl DoubleEndedIterator<Item = &Quantity> {
-        self.0.keys().map(|placed| &placed.quantity)
+    pub fn keys(&self) -> impl DoubleEndedIterator<Item = &Quantity> + Clone {
+        self.iter().map(|(quantity, _)| quantity)
     }
 
     /// All of it.
-    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&Quantity, &T)> {
-        self.0.iter().map(|(placed, about)| (&placed.quantity, about))
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&Quantity, &T)> + Clone {
+        let entries = self.numbers.iter().filter(|number| **number > 0).map(|number| usize::from(*number) - 1);
+        entries.map(|entry| (&self.entries[entry].0, &self.entries[entry].1))
     }
 
-    /// All of it, to be changed.
-    pub fn iter_mut(&mut self) -> impl Iterator<Item = (&Quantity, &mut T)> {
-        self.0.iter_mut().map(|(placed, about)| (&placed.quantity, about))
+    /// All of it, to be changed, in any order.
+    pub fn values_mut(&mut self) -> impl Iterator<Item = (&Quantity, &mut T)> {
+        self.entries.iter_mut().map(|(quantity, about)| (&*quantity, about))
     }
 
-    /// All of it, taken out.
+    /// All of it, taken out, in any order.
     pub fn into_pairs(self) -> impl Iterator<Item = (Quantity, T)> {
-        self.0.into_tuple_vec().into_iter().map(|(placed, about)| (placed.quantity, about))
+        self.entries.into_iter()
     }
 }
 
 impl<T> Extend<(Quantity, T)> for Quantities<T> {
     fn extend<I: IntoIterator<Item = (Quantity, T)>>(&mut self, all: I) {
-        self.0.extend(all.into_iter().map(|(quantity, about)| (Placed::from(quantity), about)));
+        for (quantity, about) in all {
+            self.insert(quantity, about);
+        }
     }
 }
 
 impl<T> FromIterator<(Quantity, T)> for Quantities<T> {
     fn from_iter<I: IntoIterator<Item = (Quantity, T)>>(all: I) -> Quantities<T> {
         let all = all.into_iter();
-        // Room is made once, and most come in their order.
-        let mut quantities = Quantities(LiteMap::with_capacity(all.size_hint().1.unwrap_or_default()));
-        for (quantity, about) in all {
-            if let Some((placed, about)) = quantities.0.try_append(quantity.into(), about) {
-                quantities.0.insert(placed, about);
-            }
-        }
+        let mut quantities = Quantities::default();
+        quantities.reserve(all.size_hint().0);
+        quantities.extend(all);
         quantities
     }
 }

@@ -129,12 +129,12 @@ pub enum Quantity {
     MomentumEquation,
     /// Not by name: the equation of restitution.
     RestitutionEquation,
-    /// `second.B.after.speed`: a quantity of a later impact.
-    Later(Later),
-    /// Not by name: that an impact comes later, and between whom.
-    Meeting(Meeting),
     /// Not by name: that all of it happens along one line, which is that of i.
     InALine,
+    /// Not by name: that an impact comes later, and between whom.
+    Meeting(Meeting),
+    /// `second.B.after.speed`: a quantity of a later impact.
+    Later(Later),
 }
 
 use Axis::{N, T, X, Y};

@@ -2,8 +2,9 @@
 //!
 //! What the scene gives is taken with a number in place of the letter, the derivation is carried out again with the slip,
 //! and what should vanish is looked at. From the right value on the number is changed until that vanishes again, by the
-//! rule of the secant: most conditions are linear in the letter, or nearly so, and the third number is the one. Every
-//! point has its own.
+//! rule of the secant: most conditions are linear in the letter, or nearly so, and the third number is the one. Where it
+//! is a rate of change that vanishes, Newton's rule is quicker, since values to both sides give the rate of that as well.
+//! Every point has its own.
 
 use crate::mechanics::{Carried, Condition, Datum, Known, MadeSlip, Quantity, Sought, Vanishing};
 use crate::number::{Letter, Range, Value};
@@ -23,6 +24,9 @@ const ONE_OF_A_SLOPE: f64 = 1e-7;
 /// How far off the values are from which a rate of change is found: further, and it is less right; nearer, and what is left
 /// of their difference is noise.
 const FINE: f64 = 1e-4;
+
+/// So many times as large, or as small, a number may become at once where a rate of change should vanish.
+const FARTHEST: f64 = 4.0;
 
 /// What is right vanishes to this part of what it is a little further on.
 const VANISHED: f64 = 1e-6;
@@ -150,16 +154,22 @@ impl Backwards {
         if !road.again(slips, entered, is_changed) {
             return Some(*right);
         }
-        let one = if matches!(vanishing, Vanishing::Slope(_)) { ONE_OF_A_SLOPE } else { ONE };
-        let start = [right.number, beside(right.number)];
-        let mut gap = |number: Sample| self.gap(vanishing, number, road, slips, entered);
-        // What is not near a line in the number may be one in its reciprocal.
-        let over = |number: Sample| number.map(f64::recip);
-        let by_reciprocal = |gap: &mut dyn FnMut(Sample) -> Option<Sample>| {
-            let Landed { number, side } = root(start.map(over), one, |number| gap(over(number)))?;
-            Some(Landed { number: over(number), side: -side })
+        let found = if let Vanishing::Slope(quantity) = vanishing {
+            let mut slopes = |number: Sample| self.slopes(*quantity, number, road, slips, entered);
+            // Of a complement it is least where it should be greatest.
+            let other = Landed { side: -right.side, ..*right };
+            flat(*right, &mut slopes).or_else(|| flat(other, &mut slopes))?
+        } else {
+            let start = [right.number, beside(right.number)];
+            let mut gap = |number: Sample| self.gap(vanishing, number, road, slips, entered);
+            // What is not near a line in the number may be one in its reciprocal.
+            let over = |number: Sample| number.map(f64::recip);
+            let by_reciprocal = |gap: &mut dyn FnMut(Sample) -> Option<Sample>| {
+                let Landed { number, side } = root(start.map(over), |number| gap(over(number)))?;
+                Some(Landed { number: over(number), side: -side })
+            };
+            root(start, &mut gap).or_else(|| by_reciprocal(&mut gap))?
         };
-        let found = root(start, one, &mut gap).or_else(|| by_reciprocal(&mut gap))?;
         let can_be = self.letter.range() == Range::Real || found.number.0.iter().all(|number| *number > 0.0);
         can_be.then_some(found)
     }
@@ -173,30 +183,57 @@ impl Backwards {
         slips: &[MadeSlip],
         entered: &[(Quantity, Datum<Sample>)],
     ) -> Option<Sample> {
-        let mut measured = |number: Sample| {
-            let mut other = self.given_at(number);
-            other.extend_from_slice(entered);
-            road.again(slips, &other, |carried, _| self.measured(vanishing, number, carried.known()))
-        };
-        if !matches!(vanishing, Vanishing::Slope(_)) {
-            return measured(number);
+        match vanishing {
+            Vanishing::Gap(Condition { left, right, .. }) => {
+                let gap = |known: &Known<Sample>| {
+                    condition_gap(left, right, &self.others, (self.letter, number), known)
+                };
+                self.carry_out(number, road, slips, entered, gap)
+            }
+            Vanishing::Distance(quantity, bound) => {
+                let distance = |known: &Known<Sample>| Some(value(known.0.get(quantity)?)? - self.nearly(bound, number));
+                self.carry_out(number, road, slips, entered, distance)
+            }
+            Vanishing::Slope(quantity) => Some(self.slopes(*quantity, number, road, slips, entered)?[0]),
         }
-        // The rate of change by a value to each side: right but for the square of how far off they are.
-        let step = number.map(|number| FINE * number.abs().max(FINE));
-        let slope = measured(number + step)? - measured(number - step)?;
-        Some(slope.with(step, |slope, step| slope / (2.0 * step)))
     }
 
-    /// What is looked at, of what is known.
-    fn measured(&self, vanishing: &Vanishing, number: Sample, known: &Known<Sample>) -> Option<Sample> {
-        let found = match vanishing {
-            Vanishing::Gap(Condition { left, right, .. }) => {
-                condition_gap(left, right, &self.others, (self.letter, number), known)?
-            }
-            Vanishing::Distance(quantity, bound) => value(known.0.get(quantity)?)? - self.nearly(bound, number),
-            Vanishing::Slope(quantity) => value(known.0.get(quantity)?)?,
+    /// How fast a quantity changes with the number, and how fast that does.
+    fn slopes(
+        &self,
+        quantity: Quantity,
+        number: Sample,
+        road: &mut Carried<Sample>,
+        slips: &[MadeSlip],
+        entered: &[(Quantity, Datum<Sample>)],
+    ) -> Option<[Sample; 2]> {
+        // By a value to each side: right but for the square of how far off they are.
+        let step = number.map(|number| FINE * number.abs().max(FINE));
+        let around = [number - step, number, number + step];
+        let seen = |known: &Known<Sample>| value(known.0.get(&quantity)?);
+        let mut at = |number| self.carry_out(number, road, slips, entered, seen);
+        let [below, here, above] = match self.others.is_empty() {
+            // All points are one then, and the three numbers can have one each.
+            true => at(Sample(around.map(|number| number.0[0])))?.0.map(Sample::constant),
+            false => [at(around[0])?, at(around[1])?, at(around[2])?],
         };
-        found.is_finite().then_some(found)
+        let slope = (above - below).with(step, |change, step| change / (2.0 * step));
+        let rise = ((above - here) - (here - below)).with(step, |change, step| change / (step * step));
+        Some([slope, rise])
+    }
+
+    /// Carries the derivation out with the slips, the other data and this number; looks at what is known then.
+    fn carry_out(
+        &self,
+        number: Sample,
+        road: &mut Carried<Sample>,
+        slips: &[MadeSlip],
+        entered: &[(Quantity, Datum<Sample>)],
+        look: impl FnOnce(&Known<Sample>) -> Option<Sample>,
+    ) -> Option<Sample> {
+        let mut other = self.given_at(number);
+        other.extend_from_slice(entered);
+        road.again(slips, &other, |carried, _| look(carried.known())).filter(|found| found.is_finite())
     }
 }
 
@@ -206,7 +243,7 @@ fn beside(number: Sample) -> Sample {
 }
 
 /// Where something vanishes, at each point for itself.
-fn root(start: [Sample; 2], one: f64, mut gap: impl FnMut(Sample) -> Option<Sample>) -> Option<Landed> {
+fn root(start: [Sample; 2], mut gap: impl FnMut(Sample) -> Option<Sample>) -> Option<Landed> {
     let [mut last, mut here] = start;
     let (mut at_last, mut at_here) = (gap(last)?, gap(here)?);
     // What is the same for every number determines none.
@@ -228,11 +265,40 @@ fn root(start: [Sample; 2], one: f64, mut gap: impl FnMut(Sample) -> Option<Samp
         if !next.is_finite() {
             return None;
         }
-        if next.0.iter().zip(here.0).all(|(next, here)| (next - here).abs() <= one * next.abs()) {
+        if next.0.iter().zip(here.0).all(|(next, here)| (next - here).abs() <= ONE * next.abs()) {
             return Some(Landed { number: next, side });
         }
         (last, at_last) = (here, at_here);
         (here, at_here) = (next, gap(next)?);
+    }
+    None
+}
+
+/// Where a rate of change vanishes, at each point for itself: `slopes` is that rate and its own. From the right number on to
+/// where something is greatest as it is there, or least.
+fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) -> Option<Landed> {
+    let Landed { number: mut here, side } = right;
+    for _ in 0..MOST_STEPS {
+        let [slope, rise] = slopes(here)?;
+        let place = |point: usize| {
+            let (here, slope, rise, side) = (here.0[point], slope.0[point], rise.0[point], side.0[point]);
+            // What is the same for every number determines none.
+            if slope == 0.0 && rise == 0.0 {
+                return f64::NAN;
+            }
+            // Far off it may be bent the other way: there it is followed, up or down, as far as is allowed at once.
+            let step = if rise * side > 0.0 { -slope / rise } else { -side * slope.signum() * f64::INFINITY };
+            let [low, high] = [here / FARTHEST, here * FARTHEST];
+            (here + step).clamp(low.min(high), low.max(high))
+        };
+        let next = Sample(std::array::from_fn(place));
+        if !next.is_finite() {
+            return None;
+        }
+        if next.0.iter().zip(here.0).all(|(next, here)| (next - here).abs() <= ONE_OF_A_SLOPE * next.abs()) {
+            return Some(Landed { number: next, side });
+        }
+        here = next;
     }
     None
 }

@@ -48,7 +48,7 @@ pub fn shown(
 pub fn acting(given: &Known<Value>, answers: &[Asked], sought: Option<&Sought>) -> Vec<usize> {
     let Some(mut moved) = sampled(given) else { return Vec::new() };
     let mut part = 1.0; // so little in all that who goes on does not turn back
-    for (quantity, datum) in moved.0.iter_mut() {
+    for (quantity, datum) in moved.0.values_mut() {
         if matches!(quantity, Quantity::Line(_) | Quantity::Tangent(_)) {
             continue;
         }

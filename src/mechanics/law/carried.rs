@@ -2,7 +2,7 @@
 
 use smallvec::smallvec;
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Seen, Shape, Show, Slip, number, rule, silent};
+use super::{Datum, Here, Law, Line, Outcome, Rule, Seen, Shape, Show, Slip, number, rule, silent};
 use crate::expr::Expr;
 use crate::mechanics::later::Meeting;
 use crate::mechanics::{Axis, Moment, Quantity};
@@ -57,12 +57,12 @@ pub fn between(meetings: &[Meeting]) -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     carried(rule, known, |quantity| quantity)
 }
 
 /// What is carried over, from another moment where a slip says so.
-fn carried<N: Number>(rule: &Rule, known: &Known<N>, moment: impl Fn(Quantity) -> Quantity) -> Outcome<N> {
+fn carried<N: Number>(rule: &Rule, known: &Here<N>, moment: impl Fn(Quantity) -> Quantity) -> Outcome<N> {
     let at = |place: usize| known.number(moment(rule.needs[place]));
     match rule.form {
         // The line of centres may point against i, and once this way and once that.
@@ -71,7 +71,7 @@ fn carried<N: Number>(rule: &Rule, known: &Known<N>, moment: impl Fn(Quantity) -
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match slip {
         "velocity-not-carried" => carried(rule, known, Quantity::before),
         _ => None,

@@ -6,7 +6,7 @@
 
 use smallvec::smallvec;
 
-use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity, first_equation};
+use super::{Shape, Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::Before;
@@ -47,7 +47,7 @@ pub fn rules() -> Vec<Rule> {
     vec![rule(Law::Contact, 0, &needs, &[Quantity::Line(X), Quantity::Line(Y)], 2)]
 }
 
-fn line<N: Number>(rule: &Rule, known: &Known<N>, sine: N) -> Outcome<N> {
+fn line<N: Number>(rule: &Rule, known: &Here<N>, sine: N) -> Outcome<N> {
     let [_, ax, ay, bx, by] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2], rule.needs[3], rule.needs[4]])?;
     let (x, y) = (ax - bx, ay - by);
     let size = (x.squared() + y.squared()).root()?;
@@ -59,11 +59,11 @@ fn line<N: Number>(rule: &Rule, known: &Known<N>, sine: N) -> Outcome<N> {
     Some(smallvec![Datum::Number(n_x), Datum::Number(n_y)])
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     line(rule, known, known.number(Quantity::ContactSine)?)
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let sine = known.number(Quantity::ContactSine)?;
     match slip {
         "one-radius" => line(rule, known, sine.clone() + sine),

@@ -5,7 +5,7 @@
 
 use smallvec::smallvec;
 
-use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, number, rule, silent, velocity, with_sign_of};
+use super::{Shape, Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, number, rule, silent, velocity, with_sign_of};
 use crate::expr::{Expr, Function, ratio, written};
 use crate::mechanics::Velocity;
 use crate::mechanics::formula::{difference, times};
@@ -95,7 +95,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let n = &rule.needs;
     match rule.form {
         CROSS => {
@@ -126,7 +126,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let (Quantity::Deflection(sphere) | Quantity::SignedDeflection(sphere) | Quantity::TanDeflection(sphere)) =
         rule.gives[0]
     else {

@@ -6,7 +6,7 @@
 
 use smallvec::smallvec;
 
-use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
+use super::{Shape, Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, print, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
@@ -87,7 +87,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
     if matches!(rule.form, TO_LINE | FROM_N | FROM_I | TO_WALL | OF_IMPULSE) && x.is_nought() && y.is_nought() {
         // A sphere at rest has no direction.
@@ -103,7 +103,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     if slip == "angle-complement" {
         let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
         return with_inputs(rule, known, &[(rule.needs[0], y), (rule.needs[1], x)]);

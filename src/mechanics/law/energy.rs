@@ -3,7 +3,7 @@
 //! The components across the line of centres do not change, so what a sphere loses is
 //! `½ m (u_n² - v_n²)`.
 
-use super::{Shape, Seen, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, full_speed, number, rule, silent, velocity};
+use super::{Shape, Seen, Here, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, full_speed, number, rule, silent, velocity};
 use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
 use crate::mechanics::formula::times;
@@ -137,7 +137,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let n = &rule.needs;
     match rule.form {
         OF_SPHERE => {
@@ -169,7 +169,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let n = &rule.needs;
     let gives_loss = rule.gives[0] == Quantity::EnergyLost;
     match (slip, rule.form) {
@@ -212,12 +212,12 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 }
 
 /// `½ m` times a square.
-fn half_of<N: Number>(known: &Known<N>, sphere: Sphere, square: N) -> Option<N> {
+fn half_of<N: Number>(known: &Here<N>, sphere: Sphere, square: N) -> Option<N> {
     Some((known.number(Quantity::Mass(sphere))? * square).half())
 }
 
 /// `1 - e²`
-fn share_by_e<N: Number>(known: &Known<N>) -> Option<N> {
+fn share_by_e<N: Number>(known: &Here<N>) -> Option<N> {
     let e = known.number(Quantity::Restitution)?;
     Some(e.one() - e.squared())
 }

@@ -4,7 +4,7 @@
 
 use smallvec::smallvec;
 
-use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, first_equation, full_speed, number, rule, silent, velocity, with_inputs};
+use super::{Shape, Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, first_equation, full_speed, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -134,7 +134,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match rule.form {
         OF_COMPONENT => {
             let [mass, before, after] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
@@ -176,7 +176,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match (rule.form, rule.needs[0]) {
         (OF_COMPONENT, Quantity::Mass(sphere)) => {
             let [mass, before, after] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
@@ -234,7 +234,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
     }
 }
 
-fn change_of_speed<N: Number>(known: &Known<N>, sphere: Sphere) -> Option<N> {
+fn change_of_speed<N: Number>(known: &Here<N>, sphere: Sphere) -> Option<N> {
     Some(full_speed(known, sphere, After)? - full_speed(known, sphere, Before)?)
 }
 

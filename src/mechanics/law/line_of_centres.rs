@@ -5,7 +5,7 @@
 
 use smallvec::smallvec;
 
-use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
+use super::{Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::{After, Before};
@@ -65,7 +65,7 @@ pub fn rules() -> Vec<Rule> {
 /// From the change of a velocity: added to the number of the sphere.
 const BY_CHANGE: u8 = 2;
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let n = &rule.needs;
     let [x, y] = if rule.form < BY_CHANGE {
         known.numbers([n[0], n[1]])?
@@ -76,7 +76,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     along(if rule.form % BY_CHANGE == Sphere::A as u8 { [-x, -y] } else { [x, y] })
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let before = |sphere| known.numbers([velocity(sphere, Before, X), velocity(sphere, Before, Y)]);
     match slip {
         "line-perpendicular" => {

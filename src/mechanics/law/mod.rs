@@ -6,8 +6,10 @@
 //!
 //! A rule of a later impact is a rule of a law with other names for what it needs and gives; see [`Meeting`].
 
+mod here;
 mod rule;
 
+pub(super) use here::Here;
 pub use rule::Rule;
 
 use std::collections::BTreeMap;
@@ -49,39 +51,60 @@ impl<N> Default for Known<N> {
     }
 }
 
-impl<N: Number> Known<N> {
-    /// A quantity that is a number.
-    pub fn number(&self, quantity: Quantity) -> Option<N> {
-        match self.0.get(&quantity)? {
+impl<N: Number> Datum<N> {
+    /// If it is a number.
+    pub fn number(&self) -> Option<N> {
+        match self {
             Datum::Number(number) => Some(number.clone()),
             _ => None,
         }
     }
 
-    /// Several quantities that are numbers.
-    pub fn numbers<const COUNT: usize>(&self, quantities: [Quantity; COUNT]) -> Option<[N; COUNT]> {
-        let found = quantities.map(|quantity| self.number(quantity));
-        if found.iter().any(Option::is_none) {
-            return None;
-        }
-        Some(found.map(|number| number.expect("none is missing")))
-    }
-
     /// The vector of an angle.
-    pub fn direction(&self, quantity: Quantity) -> Option<(N, N)> {
-        match self.0.get(&quantity)? {
+    pub fn direction(&self) -> Option<(N, N)> {
+        match self {
             Datum::Direction { y, x } => Some((y.clone(), x.clone())),
             _ => None,
         }
     }
 
-    /// An equation.
-    pub fn equation(&self, quantity: Quantity) -> Option<[N; 3]> {
-        match self.0.get(&quantity)? {
+    /// If it is an equation.
+    pub fn equation(&self) -> Option<[N; 3]> {
+        match self {
             Datum::Equation(coefficients) => Some(coefficients.clone()),
             _ => None,
         }
     }
+}
+
+impl<N: Number> Known<N> {
+    /// A quantity that is a number.
+    pub fn number(&self, quantity: Quantity) -> Option<N> {
+        self.0.get(&quantity)?.number()
+    }
+
+    /// Several quantities that are numbers.
+    pub fn numbers<const COUNT: usize>(&self, quantities: [Quantity; COUNT]) -> Option<[N; COUNT]> {
+        all(quantities.map(|quantity| self.number(quantity)))
+    }
+
+    /// The vector of an angle.
+    pub fn direction(&self, quantity: Quantity) -> Option<(N, N)> {
+        self.0.get(&quantity)?.direction()
+    }
+
+    /// An equation.
+    pub fn equation(&self, quantity: Quantity) -> Option<[N; 3]> {
+        self.0.get(&quantity)?.equation()
+    }
+}
+
+/// All of a few things, if none is missing.
+fn all<T, const COUNT: usize>(found: [Option<T>; COUNT]) -> Option<[T; COUNT]> {
+    if found.iter().any(Option::is_none) {
+        return None;
+    }
+    Some(found.map(|one| one.expect("none is missing")))
 }
 
 /// A mistake that students make with a law, or with several: then it stands with the law that owns it, and the others
@@ -184,11 +207,11 @@ macro_rules! laws {
                 match self.law { $(Law::$law => $file::earning(self, show),)* }
             }
 
-            fn evaluated<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
+            fn evaluated<N: Number>(&self, known: &Here<N>) -> Outcome<N> {
                 match self.law { $(Law::$law => $file::evaluate(self, known),)* }
             }
 
-            fn evaluated_with<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
+            fn evaluated_with<N: Number>(&self, slip: &str, known: &Here<N>) -> Outcome<N> {
                 match self.law { $(Law::$law => $file::slipped(slip, self, known),)* }
             }
 
@@ -291,24 +314,16 @@ pub const ALONG: [Quantity; 4] = [
 pub(super) const MASSES: [Quantity; 2] = [Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B)];
 
 /// The rule with other numbers for some of what it needs: most slips take a wrong number into the right equation.
-fn with_inputs<N: Number>(rule: &Rule, known: &Known<N>, inputs: &[(Quantity, N)]) -> Outcome<N> {
+fn with_inputs<N: Number>(rule: &Rule, known: &Here<N>, inputs: &[(Quantity, N)]) -> Outcome<N> {
     if !inputs.iter().any(|(quantity, _)| rule.needs.contains(quantity)) {
         return None;
     }
-    let mut altered = Known::default();
-    for quantity in &rule.needs {
-        let datum = match inputs.iter().find(|(input, _)| input == quantity) {
-            Some((_, value)) => Datum::Number(value.clone()),
-            None => known.0.get(quantity)?.clone(),
-        };
-        altered.0.insert(*quantity, datum);
-    }
-    rule.evaluate(&altered)
+    rule.evaluated(&known.with(inputs))
 }
 
 /// A velocity by its components along and across the line of centres, or else along i and j. What is known of the
 /// component across after the impact is that it has not changed.
-fn components<N: Number>(known: &Known<N>, sphere: Sphere, moment: Moment) -> Option<[N; 2]> {
+fn components<N: Number>(known: &Here<N>, sphere: Sphere, moment: Moment) -> Option<[N; 2]> {
     let at = |moment, axis| known.number(velocity(sphere, moment, axis));
     let across = || at(moment, Axis::T).or_else(|| at(Moment::Before, Axis::T));
     let along_and_across = at(moment, Axis::N).and_then(|along| Some([along, across()?]));
@@ -316,7 +331,7 @@ fn components<N: Number>(known: &Known<N>, sphere: Sphere, moment: Moment) -> Op
 }
 
 /// The size of a velocity.
-fn full_speed<N: Number>(known: &Known<N>, sphere: Sphere, moment: Moment) -> Option<N> {
+fn full_speed<N: Number>(known: &Here<N>, sphere: Sphere, moment: Moment) -> Option<N> {
     let [along, across] = components(known, sphere, moment)?;
     match known.number(Quantity::Speed(sphere, moment)) {
         Some(speed) if moment == Moment::Before => Some(speed),
@@ -333,7 +348,7 @@ fn with_sign_of<N: Number>(size: &N, sign: &N, of_nought: &N) -> N {
 
 /// The full speeds in place of the components along the line of centres before the impact, each with its sign; what moves
 /// across it is taken to move towards the other sphere.
-fn unresolved<N: Number>(known: &Known<N>) -> Option<[(Quantity, N); 2]> {
+fn unresolved<N: Number>(known: &Here<N>) -> Option<[(Quantity, N); 2]> {
     let [a, b] = known.numbers([ALONG[0], ALONG[1]])?;
     let speed = |sphere| full_speed(known, sphere, Moment::Before);
     let one = a.one();
@@ -343,7 +358,7 @@ fn unresolved<N: Number>(known: &Known<N>) -> Option<[(Quantity, N); 2]> {
 }
 
 /// Is the sphere at rest before the impact?
-fn is_at_rest_before<N: Number>(known: &Known<N>, sphere: Sphere) -> bool {
+fn is_at_rest_before<N: Number>(known: &Here<N>, sphere: Sphere) -> bool {
     components(known, sphere, Moment::Before).is_some_and(|both| both.iter().all(N::is_nought))
 }
 

@@ -5,7 +5,7 @@
 
 use smallvec::smallvec;
 
-use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation, unresolved, with_inputs};
+use super::{Seen, ALONG, Datum, Here, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation, unresolved, with_inputs};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
 use crate::number::Number;
@@ -82,7 +82,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let at = |quantity| known.number(quantity);
     let [a, b, x, y] = ALONG;
     let [m_a, m_b] = MASSES;
@@ -104,7 +104,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let [m_a, m_b] = MASSES;
     let b = ALONG[1];
     let at = |quantity| known.number(quantity);

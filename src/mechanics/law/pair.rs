@@ -8,7 +8,7 @@ use std::cmp::Ordering::Equal;
 
 use smallvec::smallvec;
 
-use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
+use super::{Seen, ALONG, Datum, Here, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::formula::multiple;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
@@ -54,7 +54,7 @@ pub fn rules() -> Vec<Rule> {
 
 /// The two unknowns of `MIXED` by Cramer's rule; no solution of that kind where the determinant is nought, as for
 /// A before and B after with `m_A = e m_B`.
-fn mixed<N: Number>(unknown: [usize; 2], known: &Known<N>) -> Outcome<N> {
+fn mixed<N: Number>(unknown: [usize; 2], known: &Here<N>) -> Outcome<N> {
     let [m_a, m_b, e] = known.numbers([MASSES[0], MASSES[1], Quantity::Restitution])?;
     let one = m_a.one();
     // m_A a + m_B b - m_A x - m_B y = 0 and e a - e b + x - y = 0.
@@ -73,7 +73,7 @@ fn mixed<N: Number>(unknown: [usize; 2], known: &Known<N>) -> Outcome<N> {
     Some(smallvec![Datum::Number(first), Datum::Number(second)])
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     if rule.form == FORWARDS {
         let [p, q, r] = known.equation(Quantity::MomentumEquation)?;
         let [s, t, u] = known.equation(Quantity::RestitutionEquation)?;
@@ -95,7 +95,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     Some(smallvec![Datum::Number(a), Datum::Number(b)])
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match slip {
         // What does change was taken not to; on one line there is nothing else.
         "wrong-axis" if rule.form == FORWARDS && !is_on_one_line(known) => {
@@ -106,7 +106,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 }
 
 /// Has neither sphere a component across?
-fn is_on_one_line<N: Number>(known: &Known<N>) -> bool {
+fn is_on_one_line<N: Number>(known: &Here<N>) -> bool {
     let across = |sphere| known.number(Quantity::Velocity(sphere, Moment::Before, Axis::T));
     Sphere::BOTH.into_iter().all(|sphere| across(sphere).is_some_and(|across| across.is_nought()))
 }

@@ -2,7 +2,7 @@
 //!
 //! `t·v = t·u` for each sphere by itself.
 
-use super::{Seen, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, velocity};
+use super::{Seen, Here, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, velocity};
 use crate::expr::print::plain;
 use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
@@ -64,11 +64,11 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     number(known.number(rule.needs[0])?)
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let component = known.number(rule.needs[0])?;
     let Quantity::Velocity(sphere, After, _) = rule.gives[0] else { return None };
     match slip {
@@ -89,7 +89,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 }
 
 /// The common component that both would have if they moved on together across the line of centres.
-fn shared<N: Number>(known: &Known<N>) -> Option<N> {
+fn shared<N: Number>(known: &Here<N>) -> Option<N> {
     let across = Sphere::BOTH.map(|sphere| velocity(sphere, Before, T));
     let [m_a, m_b, p, q] = known.numbers([MASSES[0], MASSES[1], across[0], across[1]])?;
     (m_a.clone() * p + m_b.clone() * q).over(&(m_a + m_b))

@@ -4,7 +4,7 @@
 
 use smallvec::smallvec;
 
-use super::{Shape, Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Shape, Seen, ALONG, Datum, Here, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
@@ -46,7 +46,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let n = &rule.needs;
     match rule.form {
         APPROACH | SEPARATION => number(known.number(n[0])? - known.number(n[1])?),
@@ -66,7 +66,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Here<N>) -> Outcome<N> {
     None
 }
 

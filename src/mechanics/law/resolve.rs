@@ -5,7 +5,7 @@
 
 use smallvec::smallvec;
 
-use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation, components, is_at_rest_before, with_inputs, with_sign_of};
+use super::{Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation, components, is_at_rest_before, with_inputs, with_sign_of};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::formula::times;
@@ -56,7 +56,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let pair = |a: N, b: N| Some(smallvec![Datum::Number(a), Datum::Number(b)]);
     let line = || known.numbers([Quantity::Line(X), Quantity::Line(Y)]);
     match rule.form {
@@ -87,7 +87,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     }
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match (slip, rule.form) {
         // The arrows still point the right way.
         ("sincos-swap", FROM_SPEED | FROM_I_J) => {

@@ -4,7 +4,7 @@
 
 use smallvec::smallvec;
 
-use super::{Seen, ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, velocity, with_inputs};
+use super::{Seen, ALONG, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, velocity, with_inputs};
 use crate::expr::{Expr, written};
 use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::mechanics::formula::{difference, times};
@@ -143,7 +143,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let at = |quantity| known.number(quantity);
     let [a, b, x, y] = ALONG;
     let e = Quantity::Restitution;
@@ -167,7 +167,7 @@ fn both_moments(sphere: Sphere) -> [[Quantity; 2]; 2] {
     [Moment::Before, Moment::After].map(|moment| [Axis::X, Axis::Y].map(|axis| velocity(sphere, moment, axis)))
 }
 
-fn along_change<N: Number>(known: &Known<N>) -> Option<N> {
+fn along_change<N: Number>(known: &Here<N>) -> Option<N> {
     let [[a, x], [b, y]] = Sphere::BOTH.map(both_moments);
     let [a, b, x, y] = [known.numbers(a)?, known.numbers(b)?, known.numbers(x)?, known.numbers(y)?];
     let less = |[p, q]: &[N; 2], [r, s]: &[N; 2]| [p.clone() - r.clone(), q.clone() - s.clone()];
@@ -176,7 +176,7 @@ fn along_change<N: Number>(known: &Known<N>) -> Option<N> {
     along(less(&y, &x)).over(&along(less(&a, &b)))
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let [a, b, x, y] = ALONG;
     let e = Quantity::Restitution;
     let at = |quantity| known.number(quantity);
@@ -222,11 +222,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 }
 
 /// Is A known to move along the line of centres? Then there are no paths at an angle.
-fn is_along_line_before<N: Number>(known: &Known<N>) -> bool {
+fn is_along_line_before<N: Number>(known: &Here<N>) -> bool {
     known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T)).is_some_and(|across| across.is_nought())
 }
 
-fn evaluate_e<N: Number>(known: &Known<N>) -> Option<N> {
+fn evaluate_e<N: Number>(known: &Here<N>) -> Option<N> {
     let [a, b, x, y] = known.numbers(ALONG)?;
     (y - x).over(&(a - b))
 }

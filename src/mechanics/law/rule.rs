@@ -1,6 +1,6 @@
 //! A way to use a law, in the first impact or in a later one.
 
-use super::{Known, Law, Line, Outcome, Show, silent};
+use super::{Here, Known, Law, Line, Outcome, Show, silent};
 use crate::expr::Expr;
 use crate::mechanics::later::Meeting;
 use crate::mechanics::{Axis, Quantity};
@@ -45,20 +45,18 @@ impl Rule {
     /// What it gives from what is known; `None` where one of it does not exist, as the direction of a sphere at rest
     /// does not.
     pub fn evaluate<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
-        let Some((_, rule)) = self.later else { return self.evaluated(known) };
-        // As the law has it. The last that it needs is the impact itself, of which the law does not know.
-        let needed = rule.needs.iter().zip(&self.needs);
-        let here = needed.filter_map(|(in_law, own)| Some((*in_law, known.0.get(own)?.clone())));
-        rule.evaluated(&Known(here.collect()))
+        self.in_law().evaluated(&self.here(known))
     }
 
     /// The same with a slip in place of the law; `None` if the slip changes nothing that this rule does. A slip may start
     /// from what the rule does not need.
     pub fn slipped<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
-        match self.later {
-            Some((meeting, rule)) => rule.evaluated_with(slip, &meeting.known(known)),
-            None => self.evaluated_with(slip, known),
-        }
+        self.in_law().evaluated_with(slip, &self.here(known))
+    }
+
+    /// What is known, as the law has it.
+    fn here<'k, N: Number>(&self, known: &'k Known<N>) -> Here<'k, N> {
+        Here::at(self.later.map_or(Meeting::FIRST, |(meeting, _)| meeting), known)
     }
 
     /// The equation, as a student first writes it, that a mark for accuracy is given for.

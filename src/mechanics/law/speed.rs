@@ -1,6 +1,6 @@
 //! Pythagoras: a speed from two perpendicular components, `v² = v_n² + v_t²`.
 
-use super::{Shape, Seen, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation};
+use super::{Shape, Seen, Here, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, Piece, written};
 use crate::number::Value;
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -50,7 +50,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let [along, across] = known.numbers([rule.needs[0], rule.needs[1]])?;
     // The square of a root is not always seen to be one: a lone component is its own root.
     if across.is_nought() {
@@ -62,7 +62,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     number((along.squared() + across.squared()).root()?)
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let [along, across] = known.numbers([rule.needs[0], rule.needs[1]])?;
     match slip {
         "speed-sum" => number(along.size() + across.size()),

@@ -3,7 +3,7 @@
 //! `m_A u_A + m_B u_B = m_A v_A + m_B v_B`. Three velocities and the masses give the fourth velocity; four
 //! velocities give the ratio of the masses.
 
-use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation, with_inputs};
+use super::{Seen, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation, with_inputs};
 use crate::mechanics::formula::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
@@ -70,7 +70,7 @@ pub fn rules() -> Vec<Rule> {
     rules
 }
 
-pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match rule.form {
         OF_ONE => number(known.number(rule.needs[0])? * known.number(rule.needs[1])?),
         TOTAL => number(known.number(rule.needs[0])? + known.number(rule.needs[1])?),
@@ -84,7 +84,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 /// The component of the one velocity that is not known.
-fn component<N: Number>(sphere: Sphere, moment: Moment, axis: Axis, known: &Known<N>) -> Option<N> {
+fn component<N: Number>(sphere: Sphere, moment: Moment, axis: Axis, known: &Here<N>) -> Option<N> {
     let other = if moment == Before { After } else { Before };
     let beside = sphere.other();
     let [own, mass] = known.numbers([Quantity::Mass(sphere), Quantity::Mass(beside)])?;
@@ -94,7 +94,7 @@ fn component<N: Number>(sphere: Sphere, moment: Moment, axis: Axis, known: &Know
 }
 
 /// The mass of a sphere from the changes of both velocities, along whichever axis they change.
-fn mass<N: Number>(sphere: Sphere, known: &Known<N>) -> Outcome<N> {
+fn mass<N: Number>(sphere: Sphere, known: &Here<N>) -> Outcome<N> {
     let change = |sphere: Sphere, axis| -> Option<N> {
         let [before, after] = known.numbers([velocity(sphere, Before, axis), velocity(sphere, After, axis)])?;
         Some(after - before)
@@ -110,7 +110,7 @@ fn mass<N: Number>(sphere: Sphere, known: &Known<N>) -> Outcome<N> {
     None
 }
 
-pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N> {
     match (slip, rule.form) {
         ("division-forgotten", form @ 0..=3) => {
             let sphere = STATES[form as usize].0;
