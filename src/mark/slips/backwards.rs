@@ -25,8 +25,10 @@ const ONE_OF_A_SLOPE: f64 = 1e-7;
 /// of their difference is noise.
 const FINE: f64 = 1e-4;
 
-/// So many times as large, or as small, a number may become at once where a rate of change should vanish.
-const FARTHEST: f64 = 4.0;
+/// So many times as large, or as small, a number may become at once where a rate of change should vanish, and at all: what
+/// is greatest further off is so for no angle that anybody would write.
+const FAR: f64 = 8.0;
+const FARTHEST: f64 = 512.0;
 
 /// What is right vanishes to this part of what it is a little further on.
 const VANISHED: f64 = 1e-6;
@@ -288,11 +290,12 @@ fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) ->
             }
             // Far off it may be bent the other way: there it is followed, up or down, as far as is allowed at once.
             let step = if rise * side > 0.0 { -slope / rise } else { -side * slope.signum() * f64::INFINITY };
-            let [low, high] = [here / FARTHEST, here * FARTHEST];
+            let [low, high] = [here / FAR, here * FAR];
             (here + step).clamp(low.min(high), low.max(high))
         };
         let next = Sample(std::array::from_fn(place));
-        if !next.is_finite() {
+        let times = next.with(right.number, |next, right| (next / right).max(right / next));
+        if !times.0.iter().all(|times| *times < FARTHEST) {
             return None;
         }
         if next.0.iter().zip(here.0).all(|(next, here)| (next - here).abs() <= ONE_OF_A_SLOPE * next.abs()) {

@@ -1,5 +1,6 @@
 //! Numbers at three points: a formula in letters by what it comes to there, a plain number three times over.
 
+use std::cell::Cell;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::mechanics::{Datum, Known};
@@ -45,8 +46,16 @@ impl Sample {
 
     /// About a value, where its letters are these numbers, of an angle the tangent; not a number where it does not exist.
     pub(super) fn nearly(value: &Value, letters: &dyn Fn(Letter) -> Option<Sample>) -> Sample {
-        let letter_at = |point: usize| move |letter: Letter| letters(letter).map_or(f64::NAN, |number| number.0[point]);
-        Sample(std::array::from_fn(|point| value.nearly(&letter_at(point))))
+        let varies = Cell::new(false);
+        let at = |point: usize| {
+            value.nearly(&|letter| {
+                let number = letters(letter).unwrap_or(Sample::constant(f64::NAN));
+                varies.set(varies.get() || !number.is_constant());
+                number.0[point]
+            })
+        };
+        let first = at(0);
+        Sample(std::array::from_fn(|point| if point == 0 || !varies.get() { first } else { at(point) }))
     }
 
     /// What a letter stands for; of an angle its tangent.
