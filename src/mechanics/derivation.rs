@@ -166,17 +166,18 @@ impl Derivation {
         computed: &Known<N>,
         asked: &[Quantity],
     ) -> Arc<Plan> {
-        let given: Vec<Quantity> = known.0.keys().copied().collect();
+        // What is found is entered after it.
+        let given = known.0.len();
         let mut banned = Vec::new();
         // A step before a dead end stays what it is on the way round it, and is not taken twice.
         let mut computed = Cow::Borrowed(computed);
         loop {
-            let plan = Plan::on(road, given.iter().copied(), asked, &banned);
+            let plan = Plan::on(road, known.0.as_entered().take(given), asked, &banned);
             let Err(DeadEnd(place)) = plan.derivation.evaluate_with(&computed, known) else { return plan };
             banned.push(plan.derivation.steps[place]);
             let there = computed.to_mut();
-            for (quantity, datum) in std::mem::take(&mut known.0).into_pairs() {
-                if given.binary_search(&quantity).is_ok() {
+            for (place, (quantity, datum)) in std::mem::take(&mut known.0).into_pairs().enumerate() {
+                if place < given {
                     known.0.insert(quantity, datum);
                 } else {
                     there.0.insert_new(quantity, datum);

@@ -7,12 +7,23 @@ use super::Quantity;
 use super::place::OF_AN_IMPACT;
 
 /// A map from quantities, in the order in which they are declared.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Quantities<T> {
     /// Of the quantity at each place which entry it has, counted from one; nought where it has none.
     numbers: Vec<u16>,
     /// As they were entered.
     entries: Vec<(Quantity, T)>,
+}
+
+/// What is copied is mostly added to.
+const ROOM: usize = 16;
+
+impl<T: Clone> Clone for Quantities<T> {
+    fn clone(&self) -> Quantities<T> {
+        let mut entries = Vec::with_capacity(self.len() + ROOM);
+        entries.extend_from_slice(&self.entries);
+        Quantities { numbers: self.numbers.clone(), entries }
+    }
 }
 
 impl<T> Default for Quantities<T> {
@@ -114,12 +125,17 @@ impl<T> Quantities<T> {
         entries.map(|entry| (&self.entries[entry].0, &self.entries[entry].1))
     }
 
+    /// The quantities as they were entered, unless some have been taken out since.
+    pub fn as_entered(&self) -> impl ExactSizeIterator<Item = Quantity> + Clone {
+        self.entries.iter().map(|(quantity, _)| *quantity)
+    }
+
     /// All of it, to be changed, in any order.
     pub fn values_mut(&mut self) -> impl Iterator<Item = (&Quantity, &mut T)> {
         self.entries.iter_mut().map(|(quantity, about)| (&*quantity, about))
     }
 
-    /// All of it, taken out, in any order.
+    /// All of it, taken out, as it was entered.
     pub fn into_pairs(self) -> impl Iterator<Item = (Quantity, T)> {
         self.entries.into_iter()
     }

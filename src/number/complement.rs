@@ -3,7 +3,9 @@
 //! Alone each keeps its own name, since who is given 70° expects cos 70° and not sin 20°. Where both meet, the
 //! larger gives way: tan 70° = 1/tan 20°. So no value holds both, and sin² 20° + sin² 70° is 1 by form.
 
-use std::cell::Cell;
+use std::cell::RefCell;
+
+use smallvec::SmallVec;
 
 use super::value::Value;
 use super::{Fraction, Letter, Polynomial};
@@ -11,18 +13,21 @@ use super::{Fraction, Letter, Polynomial};
 impl Value {
     /// The same value with one letter for every pair of given angles that make a right angle.
     pub(super) fn without_complements(self) -> Value {
-        // Hardly any value has two such angles, and every value is asked.
-        let first = Cell::new(None);
-        let is_another = |letter: &Letter| {
-            letter.is_constant() && first.replace(Some(*letter)).is_some_and(|first| first != *letter)
-        };
-        if !self.has_letter(is_another) {
+        // Every value is asked, so no list is made of one that has no two such angles.
+        let found: RefCell<SmallVec<[Letter; 4]>> = RefCell::default();
+        self.has_letter(|letter| {
+            if letter.is_constant() && !found.borrow().contains(letter) {
+                found.borrow_mut().push(*letter);
+            }
+            false
+        });
+        let found = found.into_inner();
+        if found.len() < 2 {
             return self;
         }
-        let mut angles: Vec<(Fraction, Letter)> = Vec::new();
-        for letter in self.letters().into_iter().filter(Letter::is_constant) {
-            angles.extend(letter.name().parse().ok().map(|degrees: Fraction| (degrees, letter)));
-        }
+        let degrees = found.iter().filter_map(|letter| Some((letter.name().parse::<Fraction>().ok()?, *letter)));
+        let mut angles: SmallVec<[(Fraction, Letter); 4]> = degrees.collect();
+        angles.sort_by_key(|(_, letter)| *letter);
         let right = Fraction::from(90);
         for (degrees, letter) in &angles {
             let other = angles.iter().find(|(other, _)| other < degrees && other + degrees == right);
