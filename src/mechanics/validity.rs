@@ -37,6 +37,7 @@ pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known
         Derivation::carry_out_with(&mut there, &all, &sides);
         let is_given = known.0.contains_key(&meeting.quantity(Quantity::Restitution));
         one(&meeting.known(&there), is_given).map_err(|refusal| refusal.at(meeting))?;
+        there.0.into_pairs().for_each(|(quantity, datum)| all.0.insert_new(quantity, datum));
     }
     Ok(all)
 }

@@ -53,12 +53,12 @@ pub fn untrue(claims: &Claims, words: &Words, variant: &Variant, remarks: &mut V
 pub(super) fn is_at_rest(variant: &Variant, sphere: Sphere) -> Option<bool> {
     let mut first: Option<(u8, Vec<Value>)> = None;
     let known = variant.solution.known();
-    for quantity in known.0.keys() {
-        let is_before = match quantity.of_its_impact() {
-            Quantity::Velocity(of, Moment::Before, _) | Quantity::Speed(of, Moment::Before) => of == sphere,
-            _ => false,
-        };
-        let Some(value) = known.number(*quantity).filter(|_| is_before) else { continue };
+    let is_before = |quantity: &Quantity| match quantity.of_its_impact() {
+        Quantity::Velocity(of, Moment::Before, _) | Quantity::Speed(of, Moment::Before) => of == sphere,
+        _ => false,
+    };
+    for quantity in known.0.keys().filter(|quantity| is_before(quantity)) {
+        let Some(value) = known.number(*quantity) else { continue };
         match &mut first {
             Some((impact, values)) if *impact == quantity.impact() => values.push(value),
             Some((impact, _)) if *impact < quantity.impact() => {}
