@@ -12,8 +12,9 @@ impl Quantity {
         use Quantity::*;
         let of = |first: usize, sphere: Sphere| first + sphere as usize;
         let at = |first: usize, sphere: Sphere, moment: Moment| first + 2 * sphere as usize + moment as usize;
-        let along =
-            |first: usize, sphere: Sphere, moment: Moment, axis: Axis| first + 4 * at(0, sphere, moment) + axis as usize;
+        let along = |first: usize, sphere: Sphere, moment: Moment, axis: Axis| {
+            first + 4 * at(0, sphere, moment) + axis as usize
+        };
         match self {
             Mass(sphere) => of(0, sphere),
             Velocity(sphere, moment, axis) => along(3, sphere, moment, axis),

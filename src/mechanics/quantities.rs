@@ -158,3 +158,46 @@ impl<T> FromIterator<(Quantity, T)> for Quantities<T> {
         quantities
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::{Axis, Moment, Sphere};
+    use super::*;
+
+    /// Quantities of two impacts, in no order.
+    fn several() -> Vec<Quantity> {
+        let first = [
+            Quantity::Restitution,
+            Quantity::Mass(Sphere::B),
+            Quantity::InALine,
+            Quantity::Velocity(Sphere::A, Moment::After, Axis::T),
+            Quantity::Mass(Sphere::A),
+        ];
+        first.into_iter().chain(first.into_iter().filter_map(|quantity| quantity.in_impact(2))).collect()
+    }
+
+    #[test]
+    fn it_is_a_map_in_the_order_of_the_quantities() {
+        let all = several();
+        let (mut quantities, mut map) = (Quantities::default(), BTreeMap::new());
+        let mut seed = 1_usize;
+        for about in 0..2000 {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let quantity = all[(seed >> 33) % all.len()];
+            match (seed >> 20) % 4 {
+                0 => assert_eq!(quantities.remove(&quantity), map.remove(&quantity)),
+                1 => {
+                    quantities.insert_new(quantity, about);
+                    map.entry(quantity).or_insert(about);
+                }
+                _ => assert_eq!(quantities.insert(quantity, about), map.insert(quantity, about)),
+            }
+            assert!(quantities.iter().eq(&map), "{quantities:?} is not {map:?}");
+            assert!(all.iter().all(|quantity| quantities.get(quantity) == map.get(quantity)));
+            assert_eq!(quantities, map.iter().rev().map(|(quantity, about)| (*quantity, *about)).collect());
+            assert_eq!((quantities.len(), quantities.is_empty()), (map.len(), map.is_empty()));
+        }
+    }
+}

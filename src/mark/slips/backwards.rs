@@ -187,13 +187,13 @@ impl Backwards {
     ) -> Option<Sample> {
         match vanishing {
             Vanishing::Gap(Condition { left, right, .. }) => {
-                let gap = |known: &Known<Sample>| {
-                    condition_gap(left, right, &self.others, (self.letter, number), known)
-                };
+                let gap =
+                    |known: &Known<Sample>| condition_gap(left, right, &self.others, (self.letter, number), known);
                 self.carry_out(number, road, slips, entered, gap)
             }
             Vanishing::Distance(quantity, bound) => {
-                let distance = |known: &Known<Sample>| Some(value(known.0.get(quantity)?)? - self.nearly(bound, number));
+                let distance =
+                    |known: &Known<Sample>| Some(value(known.0.get(quantity)?)? - self.nearly(bound, number));
                 self.carry_out(number, road, slips, entered, distance)
             }
             Vanishing::Slope(quantity) => Some(self.slopes(*quantity, number, road, slips, entered)?[0]),
@@ -304,4 +304,42 @@ fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) ->
         here = next;
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From 1 on, for something that is greatest at these numbers, by how fast it changes there and how fast that does.
+    fn greatest_from_one(slopes: impl Fn(f64) -> [f64; 2]) -> Option<f64> {
+        let right = Landed { number: Sample::constant(1.0), side: Sample::constant(-1.0) };
+        let found = flat(right, |number| {
+            let [slope, rise] = slopes(number.0[0]);
+            Some([Sample::constant(slope), Sample::constant(rise)])
+        });
+        found.map(|found| found.number.0[0])
+    }
+
+    #[test]
+    fn what_is_greatest_is_found_from_afar_and_given_up_where_it_is_greatest_nowhere() {
+        // x/(a² + x²), which is bent the other way beyond a√3.
+        let of = |a: f64| {
+            move |x: f64| {
+                let below = a * a + x * x;
+                [(a * a - x * x) / below.powi(2), 2.0 * x * (x * x - 3.0 * a * a) / below.powi(3)]
+            }
+        };
+        for a in [0.01, 0.2, 0.5, 0.999, 1.0, 1.5, 4.0, 70.0] {
+            let found = greatest_from_one(of(a)).unwrap();
+            assert!((found - a).abs() < 1e-6 * a, "{found} for {a}");
+        }
+        for (what, slopes) in [
+            ("far off", &of(5000.0) as &dyn Fn(f64) -> [f64; 2]),
+            ("it grows", &|x| [1.0 / x, -1.0 / (x * x)]),
+            ("it is the same everywhere", &|_| [0.0, 0.0]),
+            ("least at 2", &|x| [x - 2.0, 1.0]),
+        ] {
+            assert_eq!(greatest_from_one(slopes), None, "{what}");
+        }
+    }
 }
