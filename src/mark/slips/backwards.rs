@@ -28,7 +28,7 @@ const FINE: f64 = 1e-4;
 /// So many times as large, or as small, a number may become at once where a rate of change should vanish, and at all: what
 /// is greatest further off is so for no angle that anybody would write.
 const FAR: f64 = 8.0;
-const FARTHEST: f64 = 512.0;
+const FARTHEST: f64 = 1000.0;
 
 /// What is right vanishes to this part of what it is a little further on.
 const VANISHED: f64 = 1e-6;
@@ -280,6 +280,8 @@ fn root(start: [Sample; 2], mut gap: impl FnMut(Sample) -> Option<Sample>) -> Op
 /// where something is greatest as it is there, or least.
 fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) -> Option<Landed> {
     let Landed { number: mut here, side } = right;
+    // Between these it lies.
+    let (mut low, mut high) = ([f64::NEG_INFINITY; POINTS], [f64::INFINITY; POINTS]);
     for _ in 0..MOST_STEPS {
         let [slope, rise] = slopes(here)?;
         let place = |point: usize| {
@@ -288,10 +290,18 @@ fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) ->
             if slope == 0.0 && rise == 0.0 {
                 return f64::NAN;
             }
+            let ahead = -side * slope.signum();
+            let bound = if ahead > 0.0 { &mut low } else { &mut high };
+            bound[point] = here;
             // Far off it may be bent the other way: there it is followed, up or down, as far as is allowed at once.
-            let step = if rise * side > 0.0 { -slope / rise } else { -side * slope.signum() * f64::INFINITY };
-            let [low, high] = [here / FAR, here * FAR];
-            (here + step).clamp(low.min(high), low.max(high))
+            let step = if rise * side > 0.0 { -slope / rise } else { ahead * f64::INFINITY };
+            let [least, most] = [here / FAR, here * FAR];
+            let next = (here + step).clamp(least.min(most), least.max(most));
+            let [low, high] = [low[point], high[point]];
+            if low <= next && next <= high || low.is_infinite() || high.is_infinite() {
+                return next;
+            }
+            (low * high).sqrt().copysign(here)
         };
         let next = Sample(std::array::from_fn(place));
         let times = next.with(right.number, |next, right| (next / right).max(right / next));
@@ -310,8 +320,10 @@ fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) ->
 mod tests {
     use super::*;
 
+    type Slopes<'s> = &'s dyn Fn(f64) -> [f64; 2];
+
     /// From 1 on, for something that is greatest at these numbers, by how fast it changes there and how fast that does.
-    fn greatest_from_one(slopes: impl Fn(f64) -> [f64; 2]) -> Option<f64> {
+    fn greatest_from_one(slopes: Slopes) -> Option<f64> {
         let right = Landed { number: Sample::constant(1.0), side: Sample::constant(-1.0) };
         let found = flat(right, |number| {
             let [slope, rise] = slopes(number.0[0]);
@@ -330,15 +342,16 @@ mod tests {
             }
         };
         for a in [0.01, 0.2, 0.5, 0.999, 1.0, 1.5, 4.0, 70.0] {
-            let found = greatest_from_one(of(a)).unwrap();
+            let found = greatest_from_one(&of(a)).unwrap();
             assert!((found - a).abs() < 1e-6 * a, "{found} for {a}");
         }
-        for (what, slopes) in [
-            ("far off", &of(5000.0) as &dyn Fn(f64) -> [f64; 2]),
+        let nowhere: [(&str, Slopes); 4] = [
+            ("too far off", &of(5000.0)),
             ("it grows", &|x| [1.0 / x, -1.0 / (x * x)]),
-            ("it is the same everywhere", &|_| [0.0, 0.0]),
+            ("the same everywhere", &|_| [0.0, 0.0]),
             ("least at 2", &|x| [x - 2.0, 1.0]),
-        ] {
+        ];
+        for (what, slopes) in nowhere {
             assert_eq!(greatest_from_one(slopes), None, "{what}");
         }
     }
