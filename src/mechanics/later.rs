@@ -9,6 +9,8 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::OnceLock;
 
+use foldhash::fast::FixedState;
+
 use super::law::Known;
 use super::place::OF_AN_IMPACT;
 use super::{Axis, Moment, Quantity, Sphere};
@@ -49,8 +51,8 @@ fn of_an_impact() -> &'static [Option<Quantity>; OF_AN_IMPACT] {
 }
 
 /// The quantities of one impact by their names.
-fn names() -> &'static HashMap<String, Quantity> {
-    static NAMES: OnceLock<HashMap<String, Quantity>> = OnceLock::new();
+fn names() -> &'static HashMap<String, Quantity, FixedState> {
+    static NAMES: OnceLock<HashMap<String, Quantity, FixedState>> = OnceLock::new();
     let named = || Quantity::named(&Sphere::ALL).into_iter().map(|quantity| (quantity.to_string(), quantity));
     NAMES.get_or_init(|| named().collect())
 }

@@ -11,6 +11,8 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
+use foldhash::fast::FixedState;
+
 use super::Setting;
 use super::later::{Later, Meeting};
 use crate::unit::Unit;
@@ -367,7 +369,7 @@ impl FromStr for Quantity {
     type Err = UnknownQuantity;
     fn from_str(name: &str) -> Result<Quantity, UnknownQuantity> {
         // Names are looked up for every requirement of every variant.
-        static NAMES: OnceLock<HashMap<String, Quantity>> = OnceLock::new();
+        static NAMES: OnceLock<HashMap<String, Quantity, FixedState>> = OnceLock::new();
         let names = NAMES
             .get_or_init(|| Quantity::all().into_iter().map(|quantity| (quantity.to_string(), quantity)).collect());
         names.get(name).copied().or_else(|| Later::named(name).map(Quantity::Later)).ok_or(UnknownQuantity)

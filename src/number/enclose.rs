@@ -6,6 +6,7 @@ use std::hash::Hash;
 use std::ops::{Add, Mul};
 use std::thread::LocalKey;
 
+use foldhash::fast::FixedState;
 use smallvec::SmallVec;
 
 use super::decimal::{Decimal, Places};
@@ -177,7 +178,7 @@ impl Value {
 const MOST_ANGLES: usize = 512;
 
 /// The cosine and tangent of each angle that is remembered.
-type Angles<K, E> = HashMap<K, (E, E)>;
+type Angles<K, E> = HashMap<K, (E, E), FixedState>;
 
 /// The cosine and tangent of so many degrees. The same angle comes back in every quantity of a scene,
 /// so it is remembered.

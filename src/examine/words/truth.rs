@@ -236,7 +236,8 @@ fn angles(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
             continue;
         };
         let before = words.trim_end().trim_end_matches(" of").trim_end();
-        let said = ["acute", "obtuse"].into_iter().find(|kind| before.ends_with(&format!("{kind} angle")));
+        let kind = before.strip_suffix(" angle").unwrap_or_default();
+        let said = ["acute", "obtuse"].into_iter().find(|said| kind.ends_with(said));
         let (Some(said), Some(is_acute)) = (said, is_acute(expr, &pair[1], variant)) else { continue };
         if is_acute != (said == "acute") {
             let shown = crate::expr::print::text_unicode(&Text(vec![pair[1].clone()]));
