@@ -69,7 +69,7 @@ impl Derivation {
         asked: &[Quantity],
         banned: &[&Rule],
     ) -> (Derivation, Vec<Quantity>) {
-        let rules = all_rules(&Meeting::all(given));
+        let rules = all_rules(&Meeting::said(given));
         let mut best: Quantities<(u32, Option<usize>)> = given.iter().map(|quantity| (*quantity, (0, None))).collect();
         let mut changed = true;
         while changed {

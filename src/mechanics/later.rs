@@ -136,11 +136,14 @@ impl Meeting {
     /// The first impact.
     pub const FIRST: Meeting = Meeting { number: 0, of: Sphere::BOTH, with_wall: false };
 
+    /// The first impact where it is one of A with a wall: a B that comes later has taken no part in it.
+    pub(super) const FIRST_WITH_WALL: Meeting = Meeting { with_wall: true, ..Meeting::FIRST };
+
     /// The last impact before this one in which the sphere took part.
     pub fn last_of(self, sphere: Sphere, meetings: &[Meeting]) -> Option<Meeting> {
-        let earlier = meetings.iter().filter(|meeting| meeting.number < self.number);
-        let last = earlier.filter(|meeting| meeting.part(sphere).is_some()).max_by_key(|meeting| meeting.number);
-        last.copied().or_else(|| Meeting::FIRST.part(sphere).map(|_| Meeting::FIRST))
+        let first = meetings.iter().find(|meeting| meeting.number == 0).copied().unwrap_or(Meeting::FIRST);
+        let earlier = meetings.iter().copied().filter(|meeting| meeting.number < self.number).chain([first]);
+        earlier.filter(|meeting| meeting.part(sphere).is_some()).max_by_key(|meeting| meeting.number)
     }
 
     /// A quantity as the laws have it, of A and B, said of this impact and of who meets in it.
@@ -237,6 +240,13 @@ impl Meeting {
 
     /// Every later impact, of what is known or given.
     pub fn all<'q>(given: impl IntoIterator<Item = &'q Quantity>) -> Vec<Meeting> {
+        let mut all = Meeting::said(given);
+        all.retain(|meeting| meeting.number > 0);
+        all
+    }
+
+    /// Every impact of which it is said between whom it is: the later ones, and the first if it is with a wall.
+    pub(super) fn said<'q>(given: impl IntoIterator<Item = &'q Quantity>) -> Vec<Meeting> {
         let meeting = |quantity: &Quantity| match quantity {
             Quantity::Meeting(meeting) => Some(*meeting),
             _ => None,

@@ -22,6 +22,9 @@ pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
     if scene.setting == Setting::Direct && !scene.then.is_empty() {
         put(&mut known, Quantity::InALine, &Value::ONE);
     }
+    if scene.setting == Setting::Wall && !scene.then.is_empty() {
+        put(&mut known, Quantity::Meeting(Meeting::FIRST_WITH_WALL), &Value::ONE);
+    }
     for then in &scene.then {
         later(then, scene.setting == Setting::Direct, &mut known).map_err(|refusal| refusal.at(then.meeting))?;
     }
@@ -37,7 +40,7 @@ fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), R
     let carried: Vec<Sphere> = Sphere::BOTH.into_iter().filter(|part| scene.before[*part as usize].is_none()).collect();
     for part in &carried {
         let sphere = meeting.sphere(*part);
-        let Some(last) = meeting.last_of(sphere, &Meeting::all(known.0.keys())) else { continue };
+        let Some(last) = meeting.last_of(sphere, &Meeting::said(known.0.keys())) else { continue };
         let there = last.part(sphere).unwrap_or(*part);
         let left = [Axis::X, Axis::Y].map(|axis| last.quantity(Quantity::Velocity(there, Moment::After, axis)));
         Derivation::carry_out(&mut derived, &left);

@@ -9,7 +9,7 @@ use carom::mechanics::{
     Axis, Because, Derivation, Given, Meeting, Moment, Quantity, Scene, SceneText, Setting, Sphere, Then, Velocity,
 };
 use carom::number::{Fraction, Value};
-use carom::solve::{Solution, solve};
+use carom::solve::{Solution, report, solve, solve_all};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
@@ -333,6 +333,31 @@ fn what_cannot_happen_later_is_refused_with_the_impact_at_which_it_cannot() {
     let wall = refused(r#"{"of": ["A"], "wall": ["0", "1"], "e": "1/2"}"#).unwrap_err();
     assert!(wall.reason.starts_with("at the second impact: "), "{}", wall.reason);
     refused(r#"{"of": ["B", "C"], "mass": "1", "before": "2", "e": "1/2"}"#).unwrap();
+}
+
+/// At a wall there is no B: whoever comes later is new, whatever the name and however the velocity is given.
+#[test]
+fn who_is_new_after_a_wall_comes_with_the_velocity_that_is_given() {
+    let printed = |name: &str, before: &str| {
+        let text = format!(
+            r#"{{"masses": {{"A": "2"}}, "before": {{"A": ["3", "-4"]}}, "wall": ["1", "0"], "e": "1/2",
+            "then": [{{"of": ["A", "{name}"], "mass": "1", "before": {before}, "line_of_centres": ["1", "0"], "e": "1/2"}}]}}"#
+        );
+        let scene = read(&serde_json::from_str(&text).unwrap());
+        let report = report(&solve_all(&scene, &scene.quantities()).unwrap()[0]);
+        let exact = |(quantity, answer): (&String, &serde_json::Value)| {
+            let quantity = quantity.replace(&format!("{name}."), "other.");
+            (quantity, answer["exact"].clone())
+        };
+        report.quantities.iter().map(exact).collect::<BTreeMap<_, _>>()
+    };
+    let expected = printed("C", r#"["-5", "0"]"#);
+    assert_eq!(expected["second.other.before.x"], "-5");
+    for name in ["B", "C"] {
+        for before in [r#"["-5", "0"]"#, r#"{"speed": "5", "angle_deg": "180"}"#] {
+            assert_eq!(printed(name, before), expected, "{name} with {before}");
+        }
+    }
 }
 
 #[test]

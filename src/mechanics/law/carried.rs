@@ -39,7 +39,7 @@ pub fn rules() -> Vec<Rule> {
 /// From each impact to the next of each sphere.
 pub fn between(meetings: &[Meeting]) -> Vec<Rule> {
     let mut rules = Vec::new();
-    for here in meetings {
+    for here in meetings.iter().filter(|meeting| meeting.number > 0) {
         for sphere in here.of.into_iter().filter(|sphere| here.part(*sphere).is_some()) {
             let Some(there) = here.last_of(sphere, meetings) else { continue };
             let of = |meeting: Meeting, moment, axis| {

@@ -272,7 +272,8 @@ laws! {
     Relative in relative;
 }
 
-/// All rules of all laws, in the order of the list, for a scene with these later impacts.
+/// All rules of all laws, in the order of the list, for a scene with these later impacts, and the first if it is with a
+/// wall.
 pub fn all_rules(meetings: &[Meeting]) -> &'static [Rule] {
     static OF_ONE: OnceLock<Vec<Rule>> = OnceLock::new();
     static OF_SEVERAL: Mutex<BTreeMap<Vec<Meeting>, &'static [Rule]>> = Mutex::new(BTreeMap::new());
@@ -285,7 +286,8 @@ pub fn all_rules(meetings: &[Meeting]) -> &'static [Rule] {
     known.entry(meetings.to_vec()).or_insert_with(|| {
         let mut rules = of_one.clone();
         rules.extend(carried::between(meetings));
-        rules.extend(meetings.iter().flat_map(|meeting| of_one.iter().map(|rule| rule.of_later(*meeting))));
+        let later = meetings.iter().filter(|meeting| meeting.number > 0);
+        rules.extend(later.flat_map(|meeting| of_one.iter().map(|rule| rule.of_later(*meeting))));
         rules.leak()
     })
 }
