@@ -457,6 +457,19 @@ fn letters_have_their_limits_in_masses_approach_and_restitution() {
 }
 
 #[test]
+fn letters_have_their_limits_in_every_impact_and_each_is_said_once() {
+    let scene = r#"{"masses": {"A": "x", "B": "3"}, "before": {"A": "u", "B": "0"}, "e": "k",
+        "symbols": {"u": "real", "x": "real", "y": "real", "w": "real", "k": "real", "f": "real"},
+        "then": [{"of": ["B", "C"], "mass": "y", "before": "w", "e": "f"}, {"of": ["B"], "wall": ["0", "1"], "e": "k"}]}"#;
+    let output = with_stdin(&["solve", "-"], scene.as_bytes());
+    for needed in ["x > 0", "y > 0", "u > 0", "k ≥ 0", "k ≤ 1", "f ≥ 0", "f ≤ 1"] {
+        let said = stdout(&output).matches(&format!("this needs {needed}")).count();
+        assert_eq!(said, 1, "{needed}: {}", stdout(&output));
+    }
+    assert_eq!(stdout(&output).matches("this needs").count(), 9, "{}", stdout(&output));
+}
+
+#[test]
 fn an_impossible_scene_is_refused_with_the_mechanics() {
     // Exercise 12 as it is printed: the spheres would pass through each other.
     let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["2", "5"], "B": ["3", "-1"]}, "after": {"A": ["3", "2"]}}"#;

@@ -7,11 +7,15 @@ mod report;
 pub use inexact::Inexact;
 pub use report::{Answer, Report, StepReport, report};
 
+use std::cmp::Ordering;
+use std::iter;
+
 use answer_path::answer_path;
 
 use crate::expr::{Expr, in_degrees, print, written, written_angle};
 use crate::mechanics::{
-    Derivation, Found, Known, Line, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards, check_with, pose,
+    Derivation, Found, Known, Line, Meeting, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards,
+    check_with, pose,
 };
 use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
@@ -84,20 +88,33 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
     roots.into_iter().map(one).collect()
 }
 
-/// What letters must fulfil, so that masses are positive, the spheres meet and a coefficient of restitution is one.
+/// What letters must fulfil, so that in every impact masses are positive, the spheres meet and a coefficient of restitution
+/// is one.
 fn needed(scene: &Scene, computed: &Known<Value>) -> Vec<String> {
-    let remark = |value: &Value, bound: &str| format!("this needs {} {bound}", print::unicode(&written(value)));
-    let masses = scene.masses.iter().flatten().map(|mass| &mass.value);
-    let approach = computed.number(Quantity::Approach);
-    let positive = masses.chain(&approach).filter(|value| value.sign().is_none());
-    let mut remarks: Vec<String> = positive.map(|value| remark(value, "> 0")).collect();
-    let given = scene.restitution.as_ref().map(|given| given.value.clone());
-    if let Some(e) = given.or_else(|| computed.number(Quantity::Restitution)) {
-        if e.sign().is_none() {
-            remarks.push(remark(&e, "≥ 0"));
+    let later = scene.then.iter().map(|then| (then.meeting, &then.scene));
+    let impacts = || iter::once((Meeting::FIRST, scene)).chain(later.clone());
+    let number = |meeting: Meeting, quantity| computed.number(meeting.quantity(quantity));
+    let masses = impacts().flat_map(|(_, scene)| scene.masses.iter().flatten().map(|mass| mass.value.clone()));
+    let approaches = impacts().filter_map(|(meeting, _)| number(meeting, Quantity::Approach));
+    let mut positive: Vec<Value> = Vec::new();
+    for value in masses.chain(approaches).filter(|value| value.sign().is_none()) {
+        // What is a positive multiple of another needs no more than that.
+        let is_said = |said: &Value| value.divided_by(said).and_then(|ratio| ratio.sign()) == Some(Ordering::Greater);
+        if !positive.iter().any(is_said) {
+            positive.push(value);
         }
-        if (&Value::ONE - &e).sign().is_none() {
-            remarks.push(remark(&e, "≤ 1"));
+    }
+    let remark = |value: &Value, bound: &str| format!("this needs {} {bound}", print::unicode(&written(value)));
+    let mut remarks: Vec<String> = positive.iter().map(|value| remark(value, "> 0")).collect();
+    for (meeting, scene) in impacts() {
+        let given = scene.restitution.as_ref().map(|given| given.value.clone());
+        let Some(e) = given.or_else(|| number(meeting, Quantity::Restitution)) else { continue };
+        let open =
+            [(e.sign(), "≥ 0"), ((&Value::ONE - &e).sign(), "≤ 1")].into_iter().filter(|(sign, _)| sign.is_none());
+        for said in open.map(|(_, bound)| remark(&e, bound)) {
+            if !remarks.contains(&said) {
+                remarks.push(said);
+            }
         }
     }
     remarks
