@@ -216,7 +216,8 @@ fn add(left: Meaning, right: Meaning) -> Result<Meaning, Fault> {
             Err(fault("a number is added to a vector", "both vectors or both numbers")
                 .try_this("write the vector's other component with `i` or `j`"))
         }
-        _ => Err(fault("an angle is added to something else", "two angles or two numbers")),
+        _ => Err(fault("an angle is added to something else", "two angles or two numbers")
+            .try_this("write degrees with their unit, as in `180 deg - alpha`")),
     }
 }
 

@@ -108,13 +108,12 @@ pub fn written_angle(angle: &Angle) -> Expr {
     let negative = y.sign().is_some_and(|sign| sign.is_lt());
     match x.sign() {
         Some(sign) if sign.is_gt() => {
-            let size = arctangent(&if negative { -y } else { y.clone() }, x);
-            if negative { size.negated() } else { size }
+            let size = FromDegrees::arctangent(&if negative { -y } else { y.clone() }, x);
+            if negative { size.from(0).written() } else { size.written() }
         }
         Some(sign) if sign.is_lt() && y.sign().is_some() => {
-            let size = arctangent(&y.absolute(), &-x);
-            let straight = Expr::degrees(Expr::integer(180));
-            if negative { Expr::Sum(vec![size, straight.negated()]) } else { Expr::Sum(vec![straight, size.negated()]) }
+            let size = FromDegrees::arctangent(&y.absolute(), &-x);
+            if negative { size.from(180).from(0).written() } else { size.from(180).written() }
         }
         _ => by_half_angle(y, x),
     }
@@ -130,21 +129,46 @@ pub fn in_degrees(angle: &Expr) -> Expr {
     }
 }
 
-/// The inverse tangent of `y/x`, x positive.
-fn arctangent(y: &Value, x: &Value) -> Expr {
-    if !x.equals(&Value::ONE) {
-        return Expr::call(Function::Atan, written(y).over(written(x)));
-    }
-    // No reciprocal is taken to see whether it is a letter: of a sum of many roots that would take minutes.
-    if let Some((above, below)) = y.as_quotient() {
-        if let Some(letter) = acute_letter(&above).filter(|_| below.is_one()) {
-            return Expr::name(letter.name());
+/// A whole number of degrees and an angle added to it or taken from it, so that `180° − (90° − α)` is `90° + α`.
+struct FromDegrees {
+    degrees: i64,
+    is_added: bool,
+    angle: Expr,
+}
+
+impl FromDegrees {
+    /// The inverse tangent of `y/x`, x positive.
+    fn arctangent(y: &Value, x: &Value) -> FromDegrees {
+        let added = |angle| FromDegrees { degrees: 0, is_added: true, angle };
+        if !x.equals(&Value::ONE) {
+            return added(Expr::call(Function::Atan, written(y).over(written(x))));
         }
-        if let Some(letter) = acute_letter(&below).filter(|_| above.is_one()) {
-            return Expr::Sum(vec![Expr::degrees(Expr::integer(90)), Expr::name(letter.name()).negated()]);
+        // No reciprocal is taken to see whether it is a letter: of a sum of many roots that would take minutes.
+        if let Some((above, below)) = y.as_quotient() {
+            if let Some(letter) = acute_letter(&above).filter(|_| below.is_one()) {
+                return added(Expr::name(letter.name()));
+            }
+            if let Some(letter) = acute_letter(&below).filter(|_| above.is_one()) {
+                return added(Expr::name(letter.name())).from(90);
+            }
+        }
+        added(Expr::call(Function::Atan, written(y)))
+    }
+
+    /// So many degrees less the angle.
+    fn from(self, degrees: i64) -> FromDegrees {
+        FromDegrees { degrees: degrees - self.degrees, is_added: !self.is_added, angle: self.angle }
+    }
+
+    fn written(self) -> Expr {
+        let angle = if self.is_added { self.angle } else { self.angle.negated() };
+        let degrees = Expr::degrees(Expr::integer(self.degrees.abs()));
+        match self.degrees {
+            0 => angle,
+            1.. => Expr::Sum(vec![degrees, angle]),
+            _ => Expr::Sum(vec![angle, degrees.negated()]),
         }
     }
-    Expr::call(Function::Atan, written(y))
 }
 
 /// The letter of an acute angle, where the polynomial is just its tangent.

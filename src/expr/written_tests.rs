@@ -1,7 +1,7 @@
 //! How carom writes exact values.
 
-use super::{print, written};
-use crate::number::{Direction, Fraction, Letter, Range, Value};
+use super::{print, written, written_angle};
+use crate::number::{Angle, Direction, Fraction, Letter, Range, Value};
 
 fn root(n: i64) -> Value {
     Value::from(n).square_root().unwrap()
@@ -55,6 +55,26 @@ fn values_are_written_as_a_teacher_writes_them() {
     ];
     for (value, expected) in table {
         assert_eq!(print::plain(&written(&value)), expected);
+    }
+}
+
+#[test]
+fn an_angle_of_a_letter_is_one_sum_in_every_quadrant() {
+    let theta = Direction::acute(Letter::new("theta", Range::Acute).unwrap());
+    let tangent = theta.tangent().unwrap();
+    let one = Value::ONE;
+    for (y, x, expected) in [
+        (&tangent, &one, "theta"),
+        (&-&tangent, &one, "-theta"),
+        (&tangent, &-&one, "180*deg - theta"),
+        (&-&tangent, &-&one, "theta - 180*deg"),
+        (&theta.cos, &theta.sin, "90*deg - theta"),
+        (&-&theta.cos, &theta.sin, "theta - 90*deg"),
+        (&theta.cos, &-&theta.sin, "90*deg + theta"),
+        (&-&theta.cos, &-&theta.sin, "-theta - 90*deg"),
+        (&Value::from(2), &-&one, "180*deg - atan(2)"),
+    ] {
+        assert_eq!(print::plain(&written_angle(&Angle::of(y, x).unwrap())), expected);
     }
 }
 
