@@ -470,6 +470,17 @@ fn letters_have_their_limits_in_every_impact_and_each_is_said_once() {
 }
 
 #[test]
+fn of_two_solutions_neither_is_said_to_be_impossible() {
+    let scene = r#"{"masses": {"A": "2", "B": "1"}, "before": {"A": "x", "B": "0"}, "e": "1/2",
+        "symbols": {"x": "positive"}, "unknowns": ["x"],
+        "conditions": ["A.after.n^2 - 5*x*A.after.n/8 + 3*x/4 = 1"]}"#;
+    let said = stdout(&with_stdin(&["solve", "-"], scene.as_bytes()));
+    assert!(said.contains("So x = 6 + 2√5 or x = 6 − 2√5, both of which are possible; here:"), "{said}");
+    assert!(said.contains("So x = 6 − 2√5 or x = 6 + 2√5, both of which are possible; here:"), "{said}");
+    assert!(!said.contains("not possible"), "{said}");
+}
+
+#[test]
 fn an_impossible_scene_is_refused_with_the_mechanics() {
     // Exercise 12 as it is printed: the spheres would pass through each other.
     let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["2", "5"], "B": ["3", "-1"]}, "after": {"A": ["3", "2"]}}"#;

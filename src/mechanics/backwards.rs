@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes, without_direction};
-use super::conditions_in_words::{condition_line, no_roots, of_no_impact};
+use super::conditions_in_words::{condition_line, name_the_unknown, no_roots, of_no_impact};
 use super::extreme;
 use super::law::{Known, Rule};
 use super::line::Line;
@@ -35,6 +35,8 @@ pub struct Found {
     pub range: Option<Values>,
     /// Roots that were left out and why, and what the letters that remain must satisfy.
     pub remarks: Vec<String>,
+    /// The values of the other solutions, which are as possible.
+    others: Vec<Vec<Value>>,
     /// What was derived when the values were put back; none where nothing was.
     pub derived: Option<Known<Value>>,
     /// What they were found from; none where nothing was to be found.
@@ -42,8 +44,14 @@ pub struct Found {
 }
 
 impl Found {
+    /// A scene that is its own only solution.
+    fn given(scene: Scene) -> Found {
+        let (values, remarks, others) = (Vec::new(), Vec::new(), Vec::new());
+        Found { scene, values, range: None, remarks, others, derived: None, posed: None }
+    }
+
     fn from(posed: Arc<Posed>, scene: Scene) -> Found {
-        Found { scene, values: Vec::new(), range: None, remarks: Vec::new(), derived: None, posed: Some(posed) }
+        Found { posed: Some(posed), ..Found::given(scene) }
     }
 
     /// Was there something to be found?
@@ -66,7 +74,7 @@ impl Found {
         match (&self.posed, &self.range) {
             (None, _) => Vec::new(),
             (Some(posed), Some(values)) => range::lines(posed, values),
-            (Some(posed), None) => posed.lines(&self.values),
+            (Some(posed), None) => posed.lines(&self.values, &self.others),
         }
     }
 }
@@ -80,8 +88,7 @@ impl Found {
 pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if scene.unknowns.is_empty() {
         if scene.conditions.is_empty() && scene.maximise.is_none() {
-            let scene = scene.clone();
-            return Ok(vec![Found { scene, values: vec![], range: None, remarks: vec![], derived: None, posed: None }]);
+            return Ok(vec![Found::given(scene.clone())]);
         }
         let what = match scene.maximise.is_some() {
             true => "a quantity is to be as large as possible, but there is no unknown on which it depends",
@@ -106,10 +113,17 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if let Some(refusal) = scene.conditions.iter().find_map(|condition| beyond_its_range(condition, &letters)) {
         return Err(refusal);
     }
-    match either_way(&scene).filter(|_| scene.maximise.is_none()) {
-        Some(ways) if !scene.conditions.iter().any(Condition::is_inequality) => of_both_ways(&scene, ways.map(solved)),
-        _ => solved(scene),
+    let mut found = match either_way(&scene).filter(|_| scene.maximise.is_none()) {
+        Some(ways) if !scene.conditions.iter().any(Condition::is_inequality) => of_both_ways(&scene, ways.map(solved))?,
+        _ => solved(scene)?,
+    };
+    let values = |one: &Found| one.values.iter().map(|(_, value)| value.clone()).collect();
+    let all: Vec<Vec<Value>> = found.iter().map(values).collect();
+    for (place, one) in found.iter_mut().enumerate() {
+        one.others = all.clone();
+        one.others.remove(place);
     }
+    Ok(found)
 }
 
 /// The unknowns of a scene whose line of centres has its sense, or finds it.
@@ -152,13 +166,6 @@ fn solved(scene: Scene) -> Result<Vec<Found>, Refusal> {
         one.remarks.extend(left_out.iter().chain(&undecided).cloned());
     }
     Ok(found)
-}
-
-/// How to say what is to be found, if it is a letter of the scene: *e* if that is one, for it is asked for most.
-fn name_the_unknown(scene: &Scene) -> String {
-    let named = scene.letters.iter().find(|letter| letter.name() == "e").or(scene.letters.first());
-    let example = named.map(|letter| format!(", such as `[\"{}\"]`", letter.name()));
-    format!("name what is to be found in `unknowns`{}", example.unwrap_or_default())
 }
 
 /// Why a candidate is no solution.
@@ -290,8 +297,9 @@ impl Posed {
         self.broken.iter().map(|law| law.difference.clone())
     }
 
-    /// The forward derivation in letters, the condition, and what follows from it.
-    fn lines(&self, values: &[(Letter, Value)]) -> Vec<Line> {
+    /// The forward derivation in letters, the condition, and what follows from it; the other solutions are told from roots
+    /// that are none.
+    fn lines(&self, values: &[(Letter, Value)], others: &[Vec<Value>]) -> Vec<Line> {
         let show = Show::new(&self.scene, &self.known, &self.asked);
         let mut lines: Vec<Line> = self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
         for condition in &self.scene.conditions {
@@ -305,8 +313,9 @@ impl Posed {
             lines.extend(largest.map(|line| Line { of_condition: true, ..line }));
         }
         let equation = self.equation();
-        for (letter, value) in values {
-            lines.extend(root_in_words::lines(equation.as_ref(), *letter, value));
+        for (place, (letter, value)) in values.iter().enumerate() {
+            let others: Vec<&Value> = others.iter().filter_map(|other| other.get(place)).collect();
+            lines.extend(root_in_words::lines(equation.as_ref(), *letter, value, &others));
         }
         lines.into_iter().map(|line| line.without_identities().with_masses_in_symbols()).collect()
     }

@@ -259,3 +259,10 @@ pub(super) fn no_roots(reason: NoRoots) -> Refusal {
         NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
     }
 }
+
+/// How to say what is to be found, if it is a letter of the scene: *e* if that is one, for it is asked for most.
+pub(super) fn name_the_unknown(scene: &Scene) -> String {
+    let named = scene.letters.iter().find(|letter| letter.name() == "e").or(scene.letters.first());
+    let example = named.map(|letter| format!(", such as `[\"{}\"]`", letter.name()));
+    format!("name what is to be found in `unknowns`{}", example.unwrap_or_default())
+}

@@ -10,8 +10,9 @@ use super::working::Show;
 use crate::expr::{Expr, Function, written, written_angle};
 use crate::number::{Angle, Fraction, Letter, Range, Value, collected, solve_system};
 
-/// How a letter was found from an equation that must be nought, where it is one equation alone.
-pub(super) fn lines(equation: Option<&Value>, letter: Letter, value: &Value) -> Vec<Line> {
+/// How a letter was found from an equation that must be nought, where it is one equation alone. In other solutions it has
+/// the other values.
+pub(super) fn lines(equation: Option<&Value>, letter: Letter, value: &Value, others: &[&Value]) -> Vec<Line> {
     let (coefficients, is_squared) =
         equation.and_then(|equation| collected(equation, letter)).unwrap_or((Vec::new(), false));
     match coefficients.as_slice() {
@@ -20,7 +21,10 @@ pub(super) fn lines(equation: Option<&Value>, letter: Letter, value: &Value) -> 
                 (-constant).divided_by(square).map(|square| Expr::equation(base(letter).to_the(2), written(&square)));
             vec![Line::plain("So", with_value(letter, value, found))]
         }
-        [_, _, _] => by_quadratic(equation, &coefficients, is_squared, letter, value),
+        [_, _, _] => {
+            let is_solution = |root: &Value| others.iter().any(|other| other.equals(root));
+            by_quadratic(equation, &coefficients, is_squared, letter, value, is_solution)
+        }
         _ => {
             let square = value * value;
             let is_root = !value.roots().is_empty() && square.roots().is_empty();
@@ -64,6 +68,7 @@ fn by_quadratic(
     is_squared: bool,
     letter: Letter,
     value: &Value,
+    is_solution: impl Fn(&Value) -> bool,
 ) -> Vec<Line> {
     let mut lines = Vec::new();
     if coefficients.iter().map(Value::terms).sum::<usize>() <= MOST_SHOWN {
@@ -86,7 +91,10 @@ fn by_quadratic(
             let root = |value: &Value| Expr::equation(base(letter), written(value));
             let there = equation.and_then(|equation| equation.substitute(letter, other));
             let came_in = is_squared && there.is_some_and(|there| !there.is_zero());
-            let words = format!("So {{a}} or {{b}}, {}:", why(letter, other, came_in));
+            let words = match is_solution(other) {
+                true => "So {a} or {b}, both of which are possible; here:".to_owned(),
+                false => format!("So {{a}} or {{b}}, {}:", why(letter, other, came_in)),
+            };
             let formulas = [("a", root(value)), ("b", root(other)), ("x", base(letter))];
             Line::with(&words, &formulas, found)
         }
@@ -145,7 +153,7 @@ mod tests {
         let terms = [Value::from(constant), &Value::from(linear) * &x, &Value::from(square) * &(&x * &x)];
         let equation = terms.iter().fold(Value::ZERO, |sum, term| &sum + term);
         let equation = if under_root { &(&equation + &(&x * &x)).square_root().unwrap() - &x } else { equation };
-        let lines = lines(Some(&equation), letter, &value).into_iter();
+        let lines = lines(Some(&equation), letter, &value, &[]).into_iter();
         let text = |line: Line| [print::text_unicode(&line.words), all(&line.equations)].join(" ");
         lines.map(text).collect::<Vec<_>>().join(" | ")
     }
@@ -185,7 +193,7 @@ mod tests {
         let letter = Letter::new("x", Range::Real).unwrap();
         let x = Value::letter(letter);
         let equation = &(&x + &Value::from(7)).square_root().unwrap() - &(&x + &Value::ONE);
-        let lines = lines(Some(&equation), letter, &Value::from(2));
+        let lines = lines(Some(&equation), letter, &Value::from(2), &[]);
         let words = print::text_unicode(&lines[1].words);
         assert_eq!(words, "So x = 2 or x = −3, of which the second came in by squaring:");
     }
