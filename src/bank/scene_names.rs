@@ -1,31 +1,26 @@
 //! What a scene names in its conditions and unknowns: does it exist, and is it not given already?
 
-use crate::diagnostic::near;
 use crate::expr::{Angles, Fault, Span, read};
-use crate::mechanics::{Quantity, SceneFault, SceneText, Sphere};
+use crate::mechanics::{Quantity, SceneFault, SceneText, Sphere, name_meant};
 
 /// Names that mean nothing in conditions, and unknowns whose value is given: the faults of a scene that stands alone.
 pub fn scene_names(scene: &SceneText) -> Vec<SceneFault> {
     let mut faults = given_unknowns(scene);
-    let letters: Vec<&str> = scene.symbols.keys().chain(&scene.unknowns).map(String::as_str).collect();
-    let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+    let letters: Vec<String> = scene.symbols.keys().chain(&scene.unknowns).cloned().collect();
     let places = scene.conditions.iter().enumerate().map(|(place, text)| (format!("conditions[{place}]"), text));
-    for (field, text) in places.chain(scene.maximise.iter().map(|text| ("maximise".to_owned(), text))) {
-        let Ok(expr) = read(text, Angles::Radians) else { continue };
+    for (field, whole) in places.chain(scene.maximise.iter().map(|text| ("maximise".to_owned(), text))) {
+        let Ok(expr) = read(whole, Angles::Radians) else { continue };
         for name in expr.names() {
             let text = name.text.as_str();
-            if letters.contains(&text) || text.parse::<Quantity>().is_ok() {
+            if letters.contains(&name.text) || text.parse::<Quantity>().is_ok() {
                 continue;
             }
-            let known = quantities.iter().map(String::as_str).chain(letters.iter().copied());
             let label = "expected a quantity, or a letter of `symbols`";
-            let fault =
-                Fault::new(format!("unknown name `{text}`"), name.span, label).try_this(match near(text, known) {
-                    Some(near) => format!("did you mean `{near}`?"),
-                    None => {
-                        "quantities are `A.after.speed`, `A.deflection_deg`, `ke.lost` and others like them".to_owned()
-                    }
-                });
+            let unknown = || Fault::new(format!("unknown name `{text}`"), name.span, label);
+            let fault = match Fault::unknown_function(whole, name.span) {
+                Some(fault) => fault,
+                None => unknown().try_this(name_meant(text, &letters).1),
+            };
             faults.push(SceneFault { field: field.clone(), fault, is_of_the_form: true });
         }
     }

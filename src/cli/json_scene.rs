@@ -28,14 +28,14 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
     let text: SceneText = serde_json::from_str(&source.text).map_err(|error| {
         let is_json = serde_json::from_str::<serde_json::Value>(&source.text).is_ok();
         // What serde takes for the end of a list that goes on is a list of too many.
-        let vector = is_json.then(|| no_vector(source, &of_all)).flatten();
-        vec![vector.unwrap_or_else(|| not_a_scene(source, &of_all, &error))]
+        let known = || twice(source, &of_all).or_else(|| no_vector(source, &of_all));
+        vec![is_json.then(known).flatten().unwrap_or_else(|| not_a_scene(source, &of_all, &error))]
     })?;
     let is_words = |place: &Range<usize>| source.text[place.clone()].starts_with('"');
-    if let Some(fault) = no_vector(source, &of_all) {
+    if let Some(fault) = twice(source, &of_all).or_else(|| no_vector(source, &of_all)) {
         return Err(vec![fault]);
     }
-    let places: Vec<_> = of_all.into_iter().filter(|(_, place)| is_words(place)).collect();
+    let places: Vec<_> = of_all.iter().filter(|(_, place)| is_words(place)).cloned().collect();
     let faults = match (Scene::read(&text, &(), Angles::Radians), scene_names(&text)) {
         (Ok(scene), amiss) if amiss.is_empty() => {
             let weightless = weightless(&scene, &text);
@@ -47,7 +47,15 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
         (Ok(_), amiss) => amiss,
         (Err(faults), _) => faults,
     };
-    Err(faults.into_iter().map(|fault| located(source, &places, fault)).collect())
+    Err(faults.into_iter().map(|fault| located(source, &places, &of_all, fault)).collect())
+}
+
+/// What is given twice, of which JSON itself would take the last.
+fn twice(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagnostic> {
+    let is_known = |index: &usize| places[..*index].iter().any(|(path, _)| *path == places[*index].0);
+    let (path, place) = &places[(0..places.len()).find(is_known)?];
+    let fault = Diagnostic::new(format!("`{path}` is given twice"), source, place.clone(), "expected it once");
+    Some(fault.with_help("keep one of the two"))
 }
 
 /// Masses that are nought or below it, whatever the letters are.
@@ -82,10 +90,16 @@ fn no_vector(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagn
     ];
     for vector in VECTORS {
         let below = format!("{vector}[");
-        let within: Vec<_> = places.iter().filter(|(path, _)| path.starts_with(&below)).collect();
+        let is_component =
+            |path: &str| path.strip_prefix(&below).is_some_and(|rest| !rest.trim_end_matches(']').contains(['[', '.']));
+        let within: Vec<_> = places.iter().filter(|(path, _)| is_component(path)).collect();
         if let Some((_, place)) = within.iter().find(|(_, place)| &source.text[place.clone()] == "null") {
             let fault = Diagnostic::new("null in a vector", source, place.clone(), "expected a component");
             return Some(fault.with_help("leave out the whole vector if it is not given"));
+        }
+        if let Some((_, place)) = within.iter().find(|(_, place)| source.text[place.clone()].starts_with(['[', '{'])) {
+            let fault = Diagnostic::new("a list in a vector", source, place.clone(), "expected a component in quotes");
+            return Some(fault.with_help("write `[\"x\", \"y\"]`, along i and along j"));
         }
         if let (Some((_, first)), Some((_, last))) = (within.first(), within.last())
             && within.len() != 2
@@ -163,19 +177,30 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
     if let Some((what, known)) = said.split_once(", expected ") {
         let name = what.split('`').nth(1).unwrap_or_default();
         let near = near(name, known.split('`').skip(1).step_by(2));
+        let key = || source.text[..at + 1].rfind(&format!("\"{name}\""));
+        let span = match what.starts_with("unknown field").then(key).flatten() {
+            Some(start) => start + 1..start + 1 + name.len(),
+            None => span,
+        };
         let fault = Diagnostic::new(what, source, span, format!("expected {known}"));
         return fault.with_help("`carom solve --help` shows a scene").with_near(near);
     }
     Diagnostic::new(said, source, span, "not as a scene has it")
 }
 
-fn located(source: &Source, places: &[(String, Range<usize>)], fault: SceneFault) -> Diagnostic {
+/// A fault at the words that it is about; what is missing is told of at what it is missing in.
+fn located(
+    source: &Source,
+    places: &[(String, Range<usize>)],
+    of_all: &[(String, Range<usize>)],
+    fault: SceneFault,
+) -> Diagnostic {
     let SceneFault { field, fault, .. } = fault;
     let within =
         |path: &String| path.strip_prefix(&field).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
     let place = places.iter().find(|(path, _)| within(path));
     let span = match place {
-        None => 0..0,
+        None => around(of_all, &field),
         Some((path, whole)) => {
             let raw = &source.text[whole.clone()];
             let start = whole.start + 1 + fault.span.start;
@@ -190,6 +215,18 @@ fn located(source: &Source, places: &[(String, Range<usize>)], fault: SceneFault
     };
     let message = if place.is_some() { fault.message } else { format!("`{field}`: {}", fault.message) };
     Diagnostic { help: fault.help, ..Diagnostic::new(message, source, span, fault.expected) }
+}
+
+/// Where the value with this path begins, or else the nearest around it.
+fn around(places: &[(String, Range<usize>)], field: &str) -> Range<usize> {
+    let mut path = field;
+    loop {
+        if let Some((_, place)) = places.iter().find(|(known, _)| known == path) {
+            return place.start..place.start + 1;
+        }
+        let Some(shorter) = path.rfind(['.', '[']) else { return 0..0 };
+        path = &path[..shorter];
+    }
 }
 
 #[cfg(test)]
@@ -233,7 +270,31 @@ mod tests {
             (r#""positions": [1, 2], "e": "1""#, "1", "the components of each centre"),
             (r#""positions": {"A": ["0"], "B": ["3", "4"]}"#, r#""0""#, "write `[\"x\", \"y\"]`"),
             (r#""e": "1", "symbols": {"pi": "positive"}"#, r#""positive""#, "call the letter something else"),
-            (r#""e": "e", "unknowns": ["e", "e"], "conditions": ["e = 1"]"#, "e", ""),
+            (r#""e": "e", "unknowns": ["e", "e"], "conditions": ["e = 1"]"#, "e", "take it out here"),
+            (r#""unknowns": ["e"], "maximise": "A.after.sped""#, "A.after.sped", "did you mean `A.after.speed`?"),
+            (r#""unknowns": ["e"], "conditions": ["B.x = 3"]"#, "B.x", "did you mean `B.after.x` or `B.before.x`?"),
+            (r#""unknowns": ["e"], "conditions": ["A.after.x != 3"]"#, "A.after.x != 3", "write `<` or `>`"),
+            (r#""unknowns": ["e"], "conditions": ["A.after.x"]"#, "A.after.x", "write what it is equal to"),
+            (r#""e": "sqrt(2,3)""#, "sqrt(2,3)", "write one number in the brackets"),
+            (r#""e": "sqrt()""#, "sqrt()", "write `sqrt(x)`"),
+            (r#""e": "2*()""#, "()", "write what belongs between them"),
+            (r#""e": "2^(1/3)""#, "2^(1/3)", "write what the power comes to as a decimal"),
+            (r#""e": "tan(90*deg)""#, "tan(90*deg)", "give another angle"),
+            (r#""e": "sine(30*deg)""#, "sine", "did you mean `sin`?"),
+            (r#""e": "cosine(30*deg)""#, "cosine", "did you mean `cos`?"),
+            (r#""e": "gcd(1/2)""#, "gcd", "say it with those"),
+            (r#""e": "cos(1/2°)""#, "cos(1/2°)", "put brackets round a fraction"),
+            (r#""after": {"A": {"speed": "3", "cos": "3/5"}}"#, "3", "add `sin`"),
+            (r#""after": {"A": {"speed": "3"}}"#, "3", "add `angle_deg`"),
+            (r#""after": {"A": "4,1"}"#, "4,1", "as a list of two texts"),
+            (r#""after": {"A": [["4"], "1"]}"#, r#""4""#, "write `[\"x\", \"y\"]`"),
+            (r#""symbols": {"u": "positive", "u": "unit"}"#, r#""unit""#, "keep one of the two"),
+            (r#""e": "1", "e": "1/2""#, r#""1/2""#, "keep one of the two"),
+            (r#""α": "1""#, "α", "shows a scene"),
+            (r#""q": "1""#, "q", "shows a scene"),
+            (r#""impact_parameter": "1""#, r#""1""#, "add `radii`"),
+            (r#""then": [{"of": []}]"#, "", "write `of = [\"A\", \"B\"]`"),
+            (r#""then": [{"of": ["B", "C"], "before": ["0", "0"]}]"#, "{", "add `mass`"),
         ];
         for (line, at, help) in rows {
             let faults = read(&Source::new("scene.json", scene(line))).unwrap_err();

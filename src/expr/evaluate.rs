@@ -95,7 +95,8 @@ pub fn evaluate(expr: &Expr, names: Names) -> Result<Meaning, Fault> {
 pub fn number(expr: &Expr, names: Names) -> Result<Value, Fault> {
     match evaluate(expr, names)? {
         Number(value) => Ok(value),
-        Vector(..) => Err(fault("a vector stands where a number is expected", "a number")),
+        Vector(..) => Err(fault("a vector stands where a number is expected", "a number")
+            .try_this("write one of its components, without `i` and `j`")),
         Meaning::Angle(_) => Err(fault("an angle stands where a number is expected", "a number")
             .try_this("divide it by `deg` for the number of degrees")),
         Degrees(_) => Err(fault("a number of degrees without a rational value", "a number")),
@@ -247,7 +248,7 @@ fn multiply(left: Meaning, right: Meaning) -> Result<Meaning, Fault> {
 /// `7/3 deg` is seven over three degrees.
 fn over_an_angle() -> Fault {
     fault("a number over an angle stands where an angle is expected", "an angle")
-        .try_this("put brackets round the number of degrees, as in `(7/3) deg`")
+        .try_this("degrees belong to the number straight before them: put brackets round a fraction, as in `(7/3) deg`")
 }
 
 fn divide(above: Meaning, below: Meaning) -> Result<Meaning, Fault> {
@@ -282,7 +283,10 @@ fn power(base: Meaning, exponent: Meaning) -> Result<Meaning, Fault> {
     let (base, whole) = match exponent {
         Some((whole, 1)) => (base, whole),
         Some((whole, 2)) => (base.square_root().ok_or_else(negative_root)?, whole),
-        _ => return Err(fault("an exponent is no whole or half number", "a whole exponent such as `2`")),
+        _ => {
+            return Err(fault("an exponent is no whole or half number", "a whole exponent such as `2`")
+                .try_this("write what the power comes to as a decimal"));
+        }
     };
     if whole.abs() > MOST_POWER {
         let (message, label) = match whole < 0 {
@@ -307,7 +311,10 @@ fn call(function: Function, argument: Meaning) -> Result<Meaning, Fault> {
         (Function::Sin | Function::Cos | Function::Tan, argument) => return trigonometric(function, argument),
         (_, Number(value)) => value,
         (function, _) => {
-            return Err(fault(format!("`{}` of an angle or a vector", function.name()), "a number in the brackets"));
+            let name = function.name();
+            return Err(fault(format!("`{name}` of an angle or a vector"), "one number in the brackets").try_this(
+                format!("write one number in the brackets, with a point if it is a decimal: `{name}(2.5)`"),
+            ));
         }
     };
     let beyond = || fault(format!("`{}` of a number beyond 1", function.name()), "a number from -1 to 1");
@@ -346,7 +353,7 @@ fn trigonometric(function: Function, argument: Meaning) -> Result<Meaning, Fault
         Function::Cos => direction()?.cos,
         _ => {
             turn.dot().ok_or_else(too_fine)?;
-            turn.tangent().ok_or_else(|| fault("the tangent of a right angle", "an angle other than 90 degrees"))?
+            turn.tangent().ok_or_else(right_angle)?
         }
     })
 }
@@ -369,6 +376,11 @@ fn check_size(value: &Value) -> Result<(), Fault> {
 /// A fault of the expression as a whole.
 fn fault(message: impl Into<String>, expected: impl Into<String>) -> Fault {
     Fault::new(message, Span::default(), expected)
+}
+
+fn right_angle() -> Fault {
+    fault("the tangent of a right angle", "an angle other than 90 degrees")
+        .try_this("give another angle, or use its sine and cosine")
 }
 
 fn negative_root() -> Fault {

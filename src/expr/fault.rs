@@ -1,6 +1,7 @@
 //! A fault in an expression: what is wrong, where, what was expected and one thing to try.
 
-use super::Span;
+use super::{Function, Span};
+use crate::diagnostic::near;
 
 /// A fault in the text of an expression. Messages are lower case, names in backticks, no full stop.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,6 +26,22 @@ impl Fault {
     pub fn try_this(mut self, help: impl Into<String>) -> Fault {
         self.help = Some(help.into());
         self
+    }
+
+    /// The fault of a name straight before a bracket that is no function; `None` of any other name.
+    pub fn unknown_function(text: &str, name: Span) -> Option<Fault> {
+        let (word, behind) = (text.get(name.start..name.end)?, text.get(name.end..)?);
+        if word.len() < 2 || !behind.starts_with('(') {
+            return None;
+        }
+        let names: Vec<&str> = Function::ALL.iter().map(|function| function.name()).collect();
+        let listed = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let fault = Fault::new(format!("unknown function `{word}`"), name, format!("formulas have {listed}"));
+        let meant = Function::begins(word).map(Function::name).or_else(|| near(word, names));
+        Some(fault.try_this(match meant {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => "say it with those; for a product write a star before the bracket".to_owned(),
+        }))
     }
 
     /// The fault as it stands in a longer text, in which the text that was read begins at `start`.

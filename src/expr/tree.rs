@@ -102,6 +102,11 @@ impl Function {
         Function::Abs,
     ];
 
+    /// The function with whose name a longer word begins, as `cosine` does.
+    pub fn begins(word: &str) -> Option<Function> {
+        Function::ALL.into_iter().find(|function| word.starts_with(function.name()))
+    }
+
     /// Its name in the language.
     pub fn name(self) -> &'static str {
         match self {

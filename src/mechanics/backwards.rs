@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes, without_direction};
-use super::conditions_in_words::{condition_line, name_the_unknown, no_roots, of_no_impact};
+use super::conditions_in_words::{CONDITION_THAT_TELLS, condition_line, name_the_unknown, no_roots, of_no_impact};
 use super::extreme;
 use super::law::{Known, Rule};
 use super::line::Line;
@@ -106,7 +106,8 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
             return Err(Refusal::underdetermined(format!(
                 "the unknown `{}` does not occur in the scene",
                 unknown.name()
-            )));
+            ))
+            .try_this("write it where the scene gives a value, or take it out of `unknowns`"));
         }
     }
     let letters = |name: &str| meaning(&scene.letters, name);
@@ -255,7 +256,8 @@ impl Posed {
         let conditions = equations.len();
         equations.retain(open);
         if equations.is_empty() && conditions > 0 {
-            return Err(Refusal::underdetermined(format!("the condition holds whatever {} is", names.join(", "))));
+            let holds = Refusal::underdetermined(format!("the condition holds whatever {} is", names.join(", ")));
+            return Err(holds.try_this(CONDITION_THAT_TELLS));
         }
         if let ([equation], [_, _]) = (equations.as_slice(), unknowns.as_slice()) {
             equations.extend(discriminant_of_squares(equation, unknowns));
@@ -268,7 +270,8 @@ impl Posed {
                 unknowns.len(),
                 if unknowns.len() == 1 { "" } else { "s" },
                 names.join(", ")
-            )));
+            ))
+            .try_this(CONDITION_THAT_TELLS));
         }
         solve_system(&equations, unknowns).map_err(no_roots)
     }

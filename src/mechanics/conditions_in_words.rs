@@ -260,6 +260,10 @@ pub(super) fn no_roots(reason: NoRoots) -> Refusal {
     }
 }
 
+/// What to do where the conditions leave open what is to be found.
+pub(super) const CONDITION_THAT_TELLS: &str =
+    "give as many conditions as unknowns, each on a quantity that depends on them, such as `A.after.speed = 3`";
+
 /// How to say what is to be found, if it is a letter of the scene: *e* if that is one, for it is asked for most.
 pub(super) fn name_the_unknown(scene: &Scene) -> String {
     let named = scene.letters.iter().find(|letter| letter.name() == "e").or(scene.letters.first());

@@ -37,7 +37,7 @@ pub use derivation::{DeadEnd, Derivation, Road};
 pub use later::{LATER, Later, Meeting, ordinal};
 pub use law::{ALONG, Datum, Known, Law, Rule, Slip};
 pub use line::Line;
-pub use meant::{formula_meant, formulas_meant, is_sentence};
+pub use meant::{formula_meant, formulas_meant, is_sentence, name_meant};
 pub use pose::pose;
 pub use quantities::Quantities;
 pub use quantity::{Axis, Moment, Quantity, Sphere, UnknownQuantity};

@@ -204,7 +204,8 @@ impl NamesUsed {
             let label = format!("formulas have {}", listed(&functions));
             let help = "say it with those; for a product write a star before the bracket";
             let fault = Diagnostic::new(format!("unknown function `{name}`"), &faults.source, used.span.clone(), label);
-            let near = near(name, functions.into_iter().chain(known));
+            let begun = Function::begins(name).map(Function::name);
+            let near = begun.or_else(|| near(name, functions.into_iter().chain(known)));
             faults.found.push(fault.with_help(help).with_near(near));
             return;
         }

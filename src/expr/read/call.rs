@@ -17,6 +17,9 @@ impl Parser<'_> {
         } else {
             None
         };
+        if let Some(brackets) = self.empty_brackets() {
+            return Err(without_argument(function, Span { start: named.start, end: brackets.end }));
+        }
         let argument = match self.peek() {
             Some(Token::Open(_)) => self.operand()?,
             _ => self.bare_argument(function, named)?,
@@ -44,9 +47,7 @@ impl Parser<'_> {
     fn bare_argument(&mut self, function: Function, named: Span) -> Result<Part, Fault> {
         if !matches!(self.peek(), Some(Token::Number(_) | Token::Name(_) | Token::Pi | Token::Vulgar(..) | Token::Root))
         {
-            let name = function.name();
-            return Err(Fault::new(format!("`{name}` without its argument"), named, "an argument must follow")
-                .try_this(format!("write `{name}(x)`")));
+            return Err(without_argument(function, named));
         }
         let first = match self.peek() {
             Some(Token::Root) => self.operand()?,
@@ -89,6 +90,12 @@ impl Parser<'_> {
             fits && !placed.spaced
         })
     }
+}
+
+fn without_argument(function: Function, at: Span) -> Fault {
+    let name = function.name();
+    Fault::new(format!("`{name}` without its argument"), at, "an argument must follow")
+        .try_this(format!("write `{name}(x)`"))
 }
 
 /// The argument of a function with the numbers that stand bare in it taken as degrees.

@@ -18,6 +18,13 @@ impl Parser<'_> {
         Some(fault.try_this(format!("write `{whole}.{decimals}`")))
     }
 
+    /// Where brackets stand with nothing between them, if they do here.
+    pub(super) fn empty_brackets(&self) -> Option<Span> {
+        let [open, close] = self.tokens.get(self.next..self.next + 2)? else { return None };
+        let are_brackets = matches!((&open.token, &close.token), (Token::Open(_), Token::Close(_)));
+        are_brackets.then_some(Span { start: open.span.start, end: close.span.end })
+    }
+
     /// Two relations of which one is meant: `<>`, `=<`, `=>`.
     pub(super) fn two_relations(&self, second: Relation) -> Option<Fault> {
         let before = self.tokens.get(self.next.checked_sub(1)?)?;
@@ -34,4 +41,10 @@ impl Parser<'_> {
         };
         Some(fault.try_this(format!("write `{meant}`")))
     }
+}
+
+/// The fault of brackets with nothing between them.
+pub(super) fn nothing_in_brackets(span: Span) -> Fault {
+    Fault::new("nothing in the brackets", span, "expected a number or letter in them")
+        .try_this("write what belongs between them, or take them out")
 }

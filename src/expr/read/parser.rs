@@ -4,6 +4,7 @@
 //! holds as `*` does, so `1/2m` is half of m.
 
 use super::lexer::{Placed, Token, tokens};
+use super::meant::nothing_in_brackets;
 use crate::expr::fault::Fault;
 use crate::expr::{Expr, Function, Name, Span};
 use crate::number::Fraction;
@@ -327,6 +328,9 @@ impl<'a> Parser<'a> {
     /// Brackets around one expression, or around the two components of a vector.
     fn brackets(&mut self, open: char) -> Result<Part, Fault> {
         let opened = self.span();
+        if let Some(span) = self.empty_brackets() {
+            return Err(nothing_in_brackets(span));
+        }
         self.next += 1;
         let first = self.sum()?;
         let part = if self.eat(&Token::Comma) {

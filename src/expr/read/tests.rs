@@ -119,6 +119,8 @@ fn carom_knows_where_a_text_goes_wrong() {
         ("2*(u + 1", "`(` is never closed", "("),
         ("(2]", "`]` closes `(`", "]"),
         ("2)", "unexpected `)`", ")"),
+        ("sqrt()", "`sqrt` without its argument", "sqrt()"),
+        ("2*( )", "nothing in the brackets", "( )"),
         ("1, 2", "unexpected `,`", ","),
         ("[1, 2, 3]", "a third component", ","),
         ("a = b = c", "a second relation", "="),

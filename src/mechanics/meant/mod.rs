@@ -2,6 +2,8 @@
 
 mod formula;
 mod law;
+mod name;
 mod quantity;
 
 pub use formula::{formula_meant, formulas_meant, is_sentence};
+pub use name::name_meant;

@@ -25,18 +25,21 @@ impl Reader<'_> {
         } else if given.iter().any(|(_, is_direct)| *is_direct) && !is_laid_in_a_plane(text, &given) {
             Setting::Direct
         } else {
-            for (field, _) in given.iter().filter(|(_, is_direct)| *is_direct) {
-                self.along_among_others(field);
+            for (field, velocity) in velocities {
+                if let Some(velocity) = velocity.as_ref().filter(|_| given.contains(&(field, true))) {
+                    self.along_among_others(velocity, field);
+                }
             }
             return Setting::Oblique;
         };
-        let mut refuse = |field: &str, message: &str, expected: &str| {
-            self.fault(field, Fault::new(message, Span::default(), expected));
+        let mut refuse = |field: &str, message: &str, expected: &str, help: &str| {
+            self.fault(field, Fault::new(message, Span::default(), expected).try_this(help));
         };
         for (field, is_direct) in given {
             if is_direct != (setting == Setting::Direct) {
                 let expected = "`\"u\"` for every velocity, along one line, or `[\"x\", \"y\"]` for every one";
-                refuse(field, "velocities along a line and in a plane are mixed", expected);
+                let help = "write this one as the others are";
+                refuse(field, "velocities along a line and in a plane are mixed", expected, help);
             }
         }
         let alone = matches!(setting, Setting::Wall | Setting::Impulse);
@@ -60,7 +63,7 @@ impl Reader<'_> {
                 Setting::Impulse => "it is given beside an `impulse`, which leaves no place for it",
                 _ => "it is given beside velocities along one line, which leave no place for it",
             };
-            refuse(field, message, &format!("no `{field}`"));
+            refuse(field, message, &format!("no `{field}`"), &format!("leave out `{field}`"));
         }
         if let Some((field, _)) = of_b.into_iter().find(|(_, given)| alone && *given) {
             let alone = if setting == Setting::Wall { "wall" } else { "impulse" };
@@ -92,6 +95,7 @@ impl Reader<'_> {
             let message = "the line of centres is given in more than one way";
             let expected = "one of `line_of_centres`, `positions`, `impact_parameter`";
             self.fault("line_of_centres", Fault::new(message, Span::default(), expected));
+            self.help("keep one of them");
             return None;
         }
         if let Some([x, y]) = &text.line_of_centres {
@@ -112,12 +116,16 @@ impl Reader<'_> {
         let a = self.optional(text.radii.a.as_ref(), "radii.A");
         let b = self.optional(text.radii.b.as_ref(), "radii.B");
         if text.radii.a.is_none() || text.radii.b.is_none() {
-            self.fault("radii", Fault::new("the radii are missing", Span::default(), "`radii` of both A and B"));
+            let fault = Fault::new("the radii are missing", Span::default(), "it needs `radii` of both A and B");
+            let given = if text.impact_parameter.is_some() { "impact_parameter" } else { "positions" };
+            let field = if text.radii.is_none() { given } else { "radii" };
+            self.fault(field, fault.try_this("add `radii` for A and for B, such as `\"1\"` for each"));
         }
         let (a, b) = (a?, b?);
         for (radius, field) in [(&a, "radii.A"), (&b, "radii.B")] {
             if radius.value.sign().is_some_and(|sign| sign.is_le()) {
-                self.fault(field, Fault::new("a radius is not positive", Span::default(), "a length above 0"));
+                let fault = Fault::new("a radius is not positive", Span::default(), "a length above 0");
+                self.fault(field, fault.try_this("check its sign"));
             }
         }
         let sum = &a.value + &b.value;
@@ -134,6 +142,7 @@ impl Reader<'_> {
             let Some([x, y]) = position else {
                 let message = format!("the position of {sphere} is missing");
                 self.fault("positions", Fault::new(message, Span::default(), "`positions` of both A and B"));
+                self.help(&format!("add the centre of {sphere}, its components along i and along j"));
                 return None;
             };
             let x = self.value(x.as_ref(), &format!("positions.{sphere}[0]"));

@@ -17,12 +17,9 @@ impl Reader<'_> {
             };
             match Letter::new(name, found) {
                 _ if !is_name(name) => {
-                    self.whole_fault(
-                        &field,
-                        name,
-                        "no name of a letter:",
-                        "expected a letter from a to z, then letters, digits or `_`",
-                    );
+                    let expected = "expected a letter from a to z, then letters, digits or `_`";
+                    let message = format!("no name of a letter: `{name}`");
+                    self.fault(&field, Fault::new(message, Span::default(), expected));
                     self.help("write `alpha` for α, and `x1` or `x_1` for a letter with a number");
                 }
                 _ if has_a_meaning(name) => {
@@ -32,7 +29,10 @@ impl Reader<'_> {
                     self.letters.extend(Letter::new(name, found));
                 }
                 Some(letter) => self.letters.push(letter),
-                None => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
+                None => {
+                    self.fault(&field, Fault::new("a letter's name is too long", Span::default(), at_most()));
+                    self.help("give it a short name, such as `u`");
+                }
             }
         }
     }

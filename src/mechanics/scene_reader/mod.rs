@@ -10,10 +10,10 @@ use std::rc::Rc;
 
 use letters::known_letters;
 
-use super::Sphere;
 use super::scene::{Condition, Given, Scene, Velocity};
 use super::scene_text::SceneText;
 use super::setting::Setting;
+use super::{Sphere, name_meant};
 use crate::expr::{Angles, Expr, Fault, Meaning, Relation, Span, Turn, number, written};
 use crate::number::{Angle, Letter, Range, Value};
 
@@ -107,12 +107,9 @@ impl Reader<'_> {
         let maximise = text.maximise.as_ref().and_then(|name| {
             let found = name.as_ref().parse().ok();
             if found.is_none() {
-                self.whole_fault(
-                    "maximise",
-                    name.as_ref(),
-                    "unknown quantity",
-                    "a quantity such as `A.tan_deflection`",
-                );
+                let (label, help) = name_meant(name.as_ref(), &[]);
+                self.whole_fault("maximise", name.as_ref(), "unknown quantity", label);
+                self.help(&help);
             }
             found
         });
@@ -226,7 +223,10 @@ impl Reader<'_> {
         if fault.span == Span::default() {
             fault.span = Span { start: 0, end: text.len() };
         }
-        if fault.message.starts_with("unknown name") && fault.help.is_none() {
+        let is_unknown = fault.message.starts_with("unknown name") && fault.help.is_none();
+        if let Some(function) = Fault::unknown_function(text, fault.span).filter(|_| is_unknown) {
+            fault = function;
+        } else if is_unknown {
             let known = known_letters(&self.letters);
             fault.help = Some(not_a_letter(text, &fault).unwrap_or(known));
         }
@@ -265,6 +265,7 @@ impl Reader<'_> {
                 Some(letter) if unknowns.contains(&letter) => {
                     let field = format!("unknowns[{index}]");
                     self.whole_fault(&field, name, "the unknown is named twice:", "each letter once");
+                    self.help("take it out here");
                 }
                 Some(letter) => unknowns.push(letter),
                 None => {
@@ -275,6 +276,7 @@ impl Reader<'_> {
                         "unknown letter",
                         "a letter of `symbols`, `e`, `A.mass` or `B.mass`",
                     );
+                    self.help(&format!("declare it in `symbols`, as in `{name} = \"positive\"`, or name one of those"));
                 }
             }
         }
@@ -290,12 +292,18 @@ impl Reader<'_> {
                 Some(Expr::Relation(left, relation, right)) if relation != Relation::NotEqual => {
                     conditions.push(Condition { left: *left, relation, right: *right });
                 }
-                Some(_) => self.whole_fault(
-                    &field,
-                    condition.as_ref(),
-                    "no equation or inequality in",
-                    "two quantities with `=`, `<`, `<=`, `>` or `>=` between them",
-                ),
+                Some(other) => {
+                    self.whole_fault(
+                        &field,
+                        condition.as_ref(),
+                        "no equation or inequality in",
+                        "two quantities with `=`, `<`, `<=`, `>` or `>=` between them",
+                    );
+                    self.help(match other {
+                        Expr::Relation(..) => "write `<` or `>`, whichever is meant: `!=` leaves a value on both sides",
+                        _ => "write what it is equal to, as in `A.after.speed = 3`",
+                    });
+                }
                 None => {}
             }
         }

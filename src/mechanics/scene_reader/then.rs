@@ -55,7 +55,7 @@ impl Reader<'_> {
         let Some(before) = &then.before else { return false };
         let field = format!("then[{}].before", number - 1);
         match (self.is_along(before), in_a_line) {
-            (true, false) => self.along_among_others(&field),
+            (true, false) => self.along_among_others(before, &field),
             (false, true) if !matches!(before, VelocityText::Along(_)) => {
                 let expected = "expected one number, positive from A to B, as the others move along one line";
                 let help = "give its velocity along the line, as in `\"-3\"`";

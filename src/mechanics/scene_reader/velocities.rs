@@ -32,20 +32,31 @@ impl Reader<'_> {
         matches!(velocity, VelocityText::Along(text) if self.vector_in_words(text.as_ref()).is_none())
     }
 
-    /// A fault of one number among vectors.
-    pub(super) fn along_among_others(&mut self, field: &str) {
+    /// A fault of one number among vectors. Here `4,1` is hardly a decimal number.
+    pub(super) fn along_among_others<S: AsRef<str>>(&mut self, velocity: &VelocityText<S>, field: &str) {
+        if let VelocityText::Along(text) = velocity
+            && let Some(components) = self.vector_in_words(&format!("({})", text.as_ref()))
+        {
+            return self.vector_in_one_text(text.as_ref(), components, field);
+        }
         let expected = "expected `[\"x\", \"y\"]`, as the others are in a plane";
         let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
         self.misfit(field, "a velocity along a line among others in a plane", expected, help);
     }
 
+    fn vector_in_one_text(&mut self, text: &str, [x, y]: [String; 2], field: &str) {
+        self.whole_fault(field, text, "a vector in one text", &format!("`[\"{x}\", \"{y}\"]`"));
+        self.help("write the components along i and along j as a list of two texts");
+    }
+
     pub(super) fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
         let polar = match text {
             VelocityText::Along(velocity) => {
-                if let Some([x, y]) = self.vector_in_words(velocity.as_ref()) {
-                    let expected = format!("`[\"{x}\", \"{y}\"]`");
-                    self.whole_fault(field, velocity.as_ref(), "a vector in one text", &expected);
-                    self.help("write the components along i and along j as a list of two texts");
+                if self.faults.iter().any(|told| told.field == field) {
+                    return None;
+                }
+                if let Some(components) = self.vector_in_words(velocity.as_ref()) {
+                    self.vector_in_one_text(velocity.as_ref(), components, field);
                     return None;
                 }
                 return Some(Velocity::Components(self.value(velocity.as_ref(), field)?, Given::nought()));
@@ -105,9 +116,17 @@ impl Reader<'_> {
                 }
                 Some(Velocity::Polar { speed, cos, sin: sin_value, angle: None })
             }
-            _ => {
+            (angle, cos, sin) => {
+                let help = match (angle, cos, sin) {
+                    (None, Some(_), None) => "add `sin`, the sine of the same angle",
+                    (None, None, Some(_)) => "add `cos`, the cosine of the same angle",
+                    (None, None, None) => "add `angle_deg`, the angle in degrees anticlockwise from i",
+                    _ => "leave out `angle_deg`, or `cos` and `sin`",
+                };
                 let expected = "`angle_deg`, or both `cos` and `sin`";
-                self.whole_fault(field, polar.speed.as_ref(), "a speed without one direction", expected);
+                let field = format!("{field}.speed");
+                self.whole_fault(&field, polar.speed.as_ref(), "a speed without one direction", expected);
+                self.help(help);
                 None
             }
         }
