@@ -432,6 +432,13 @@ fn a_scene_that_cannot_be_solved_is_told_what_is_the_matter_with_it() {
         (asks("A.after.angle_to_loc_deg = -60"), "this angle is from 0° to 90°"),
         (asks("A.deflection_deg = 200"), "this angle is from 0° to 180°"),
         (asks("A.deflection_signed_deg = 200"), "this angle is from −180° to 180°"),
+        (asks("1 = 1"), "help: give as many conditions as unknowns"),
+        (
+            with(&format!(
+                r#"{line}, "symbols": {{"k": "unit"}}, "unknowns": ["k"], "conditions": ["A.after.speed = 3"]"#
+            )),
+            "help: write it where the scene gives a value",
+        ),
         ("[1, 2]".to_owned(), "expected `{` and the fields of a scene"),
     ] {
         let output = with_stdin(&["solve", "-"], scene.as_bytes());
@@ -467,6 +474,24 @@ fn letters_have_their_limits_in_every_impact_and_each_is_said_once() {
         assert_eq!(said, 1, "{needed}: {}", stdout(&output));
     }
     assert_eq!(stdout(&output).matches("this needs").count(), 9, "{}", stdout(&output));
+}
+
+#[test]
+fn a_quotient_of_sums_with_letters_and_roots_is_left_one_in_lowest_terms() {
+    let tangents = |mass: &str, rest: &str| {
+        let scene = format!(
+            r#"{{"masses": {{"A": "m", "B": "{mass}"}}, "before": {{"A": {{"speed": "u", "angle_deg": "30"}}, {rest},
+            "symbols": {{"m": "positive", "k": "positive", "u": "positive", "e": "unit"}}}}"#
+        );
+        let output = with_stdin(&["solve", "-", "--json"], scene.as_bytes());
+        let solution: Json = serde_json::from_str(&stdout(&output)).unwrap();
+        ["A", "B"].map(|sphere| solution["quantities"][format!("{sphere}.after.tan_to_loc")]["exact"].clone())
+    };
+    let [a, _] = tangents("k*m", r#""B": ["-u", "0"]}, "line_of_centres": ["1", "0"], "e": "e""#);
+    assert_eq!(a, "(1 + k)/abs(2*k - sqrt(3) + 2*e*k + sqrt(3)*e*k)");
+    let [_, b] = tangents("sqrt(2)*k*m", r#""B": ["0", "-u"]}, "line_of_centres": ["1", "1"], "e": "1/3""#);
+    let below = "12*k - 3*sqrt(2) - 2*sqrt(6) + 4*sqrt(3)*k - 6*sqrt(2)*k^2";
+    assert_eq!(b, format!("3*sqrt(2)*abs(2*k^2 - 1)/abs({below})"));
 }
 
 #[test]

@@ -189,7 +189,7 @@ fn by_half_angle(y: &Value, x: &Value) -> Expr {
 
 /// A quotient in its simplest form, or where that would be laborious just as a quotient.
 pub fn ratio(above: &Value, below: &Value) -> Expr {
-    let (above, below) = &Value::without_common_factors(above, below);
+    let (above, below) = &Value::in_lowest_terms(above, below);
     if below.is_laborious() || below.roots().iter().any(|root| matches!(root, Root::Nested { .. })) {
         return written(above).over(written(below));
     }

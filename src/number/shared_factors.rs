@@ -16,39 +16,62 @@ impl Value {
     /// assert_eq!((a, b), (Value::from(4), Value::from(3)));
     /// ```
     pub fn without_common_factors(a: &Value, b: &Value) -> (Value, Value) {
-        let ((above, p), (below, q)) = (a.parts(), b.parts());
-        let (mut above, mut below) = (above.into_owned(), below.into_owned());
-        // Over one denominator, which can then be left out, but for what makes tangents sines and cosines.
-        let shared = p.greatest_common_divisor(&q);
-        let exact = |polynomial: &Polynomial, divisor: &Polynomial| {
-            polynomial.divided_by(divisor).expect("a common divisor divides")
-        };
-        let (left, right) = (exact(&q, &shared), exact(&p, &shared));
-        let both = &left * &*p;
-        let Some(sign) = sign(&both) else { return (a.clone(), b.clone()) };
-        let secants = secants(both);
-        above.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &left);
-        below.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &right);
-        let coefficients = || above.values().chain(below.values());
-        let factor = coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
-        let (factor, turn) = match self::sign(&factor) {
-            Some(turn) => (factor, turn),
-            None => (Polynomial::one(), Fraction::ONE),
-        };
-        let whole = coefficients().fold(Fraction::ZERO, |content, p| {
-            p.terms().iter().fold(content, |content, (_, number)| content.common_measure(number))
-        });
-        let Some(scale) = (&whole * &(&sign * &turn)).reciprocal() else { return (a.clone(), b.clone()) };
-        let roots = shared_roots(&above, &below);
-        let rest = |terms: Terms| {
-            let divided = terms.into_iter().map(|(mut key, coefficient)| {
-                key.retain(|root| !roots.contains(root));
-                (key, exact(&coefficient, &factor).scaled(&scale))
-            });
-            Value::build(divided.collect(), secants.clone())
-        };
-        (rest(above), rest(below))
+        without(a, b, Signs::Known).unwrap_or_else(|| (a.clone(), b.clone()))
     }
+
+    /// The same for values of which only the quotient counts: what is taken out of both may be negative as well.
+    pub fn in_lowest_terms(a: &Value, b: &Value) -> (Value, Value) {
+        let (a, b) = without(a, b, Signs::Any).unwrap_or_else(|| (a.clone(), b.clone()));
+        if b.sign() == Some(Ordering::Less) { (-a, -b) } else { (a, b) }
+    }
+}
+
+/// Which factors may be taken out.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Signs {
+    /// Those of which it is known whether they are positive.
+    Known,
+    /// All.
+    Any,
+}
+
+/// Two values without what they share; `None` where that is not to be taken out, and of nought.
+fn without(a: &Value, b: &Value, signs: Signs) -> Option<(Value, Value)> {
+    let ((above, p), (below, q)) = (a.parts(), b.parts());
+    let (mut above, mut below) = (above.into_owned(), below.into_owned());
+    // Over one denominator, which can then be left out, but for what makes tangents sines and cosines.
+    let shared = p.greatest_common_divisor(&q);
+    let exact = |polynomial: &Polynomial, divisor: &Polynomial| {
+        polynomial.divided_by(divisor).expect("a common divisor divides")
+    };
+    let (left, right) = (exact(&q, &shared), exact(&p, &shared));
+    let both = &left * &*p;
+    let turned = |polynomial: &Polynomial| {
+        sign(polynomial).or((signs == Signs::Any && !polynomial.is_zero()).then_some(Fraction::ONE))
+    };
+    let sign = turned(&both)?;
+    let secants = secants(both);
+    above.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &left);
+    below.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &right);
+    let coefficients = || above.values().chain(below.values());
+    let factor = coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
+    let (factor, turn) = match turned(&factor) {
+        Some(turn) => (factor, turn),
+        None => (Polynomial::one(), Fraction::ONE),
+    };
+    let whole = coefficients().fold(Fraction::ZERO, |content, p| {
+        p.terms().iter().fold(content, |content, (_, number)| content.common_measure(number))
+    });
+    let scale = (&whole * &(&sign * &turn)).reciprocal()?;
+    let roots = shared_roots(&above, &below);
+    let rest = |terms: Terms| {
+        let divided = terms.into_iter().map(|(mut key, coefficient)| {
+            key.retain(|root| !roots.contains(root));
+            (key, exact(&coefficient, &factor).scaled(&scale))
+        });
+        Value::build(divided.collect(), secants.clone())
+    };
+    Some((rest(above), rest(below)))
 }
 
 /// One or minus one; `None` where the sign depends on the letters, and of nought.
@@ -106,6 +129,12 @@ mod tests {
         }
         let (above, below) = Value::without_common_factors(&scaled(&a, &x), &scaled(&b, &x));
         assert_eq!((above, below), (&a * &x, &b * &x));
+        for factor in [x.clone(), (&x - &e).reciprocal().unwrap()] {
+            let (above, below) = Value::in_lowest_terms(&scaled(&a, &factor), &scaled(&b, &factor));
+            assert_eq!((above, below), (a.clone(), b.clone()), "{factor:?}");
+        }
+        assert_eq!(Value::in_lowest_terms(&Value::from(4), &Value::from(-6)), (Value::from(-2), Value::from(3)));
+        assert_eq!(Value::in_lowest_terms(&Value::ZERO, &Value::ZERO), (Value::ZERO, Value::ZERO));
         assert_eq!(Value::without_common_factors(&Value::ZERO, &Value::from(-3)), (Value::ZERO, Value::from(-1)));
     }
 }

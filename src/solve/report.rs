@@ -63,7 +63,11 @@ impl Answer {
     pub fn of(solution: &Solution, quantity: Quantity) -> Option<Answer> {
         let unit = quantity.unit().plain();
         if let Some(value) = solution.number(quantity) {
-            return Some(Answer::number(&value, unit));
+            let carried_out = Answer::number(&value, unit);
+            let left = if value.is_constant() { None } else { Answer::quotient(solution, quantity) };
+            // A quotient of sums of roots with letters is readable where it is left one.
+            let is_short = |left: &Answer| 2 * left.exact.len() < carried_out.exact.len();
+            return Some(left.filter(is_short).unwrap_or(carried_out));
         }
         match solution.angle(quantity) {
             Some(angle) => Some(Answer::angle(&angle, unit)),
@@ -93,6 +97,8 @@ impl Answer {
             Quantity::FractionLost => (number(Quantity::EnergyLost)?, number(Quantity::TotalEnergy(Moment::Before))?),
             _ => return None,
         };
+        // What is shared is seen before the signs are taken away.
+        let (above, below) = Value::in_lowest_terms(&above, &below);
         let (above, below) = match of_impact {
             Quantity::TanToLine(..) => (above.absolute(), below.absolute()),
             Quantity::TanToWall(..) => (below.absolute(), above.absolute()),
