@@ -1,5 +1,6 @@
 //! A scene in JSON, with the place of every fault in the file.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use super::json_places::{offset, places};
@@ -52,8 +53,8 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
 
 /// What is given twice, of which JSON itself would take the last.
 fn twice(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagnostic> {
-    let is_known = |index: &usize| places[..*index].iter().any(|(path, _)| *path == places[*index].0);
-    let (path, place) = &places[(0..places.len()).find(is_known)?];
+    let mut known = HashSet::new();
+    let (path, place) = places.iter().find(|(path, _)| !known.insert(path))?;
     let fault = Diagnostic::new(format!("`{path}` is given twice"), source, place.clone(), "expected it once");
     Some(fault.with_help("keep one of the two"))
 }
