@@ -2,7 +2,7 @@
 
 use super::remarks::{
     after_impact, after_remark, after_stationary, along_impulse, is_formula, named_by_moment, turned_round,
-    without_cancelling, without_lead_in, without_remark,
+    without_cancelling, without_lead_in, without_reason, without_remark,
 };
 use super::sentence::conclusions;
 
@@ -15,7 +15,7 @@ const RELATIONS: [char; 5] = ['=', '<', '>', '≤', '≥'];
 pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = typed.trim_start_matches(['∴', '→', '⇒', '⇔', '•']).trim_start_matches("=>").trim();
     // An equals sign with nothing after it waits for what is worked out on the next line.
-    let typed = without_remark(without_cancelling(typed.trim_end_matches(['=', ' '])));
+    let typed = without_remark(without_cancelling(without_reason(typed.trim_end_matches(['=', ' ']))));
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
     let typed = without_lead_in(typed);

@@ -122,6 +122,55 @@ pub(super) fn without_cancelling(typed: &str) -> &str {
     if remark.strip_suffix(')').is_some_and(says_so) { before.trim_end() } else { typed }
 }
 
+/// A line without what it says at its end of the law that it is by, `20 = 5v + 2w (by CLM)`, `(9 - 7e)/t = 16t by AM-GM`, and without
+/// a note behind a hash.
+pub(super) fn without_reason(typed: &str) -> &str {
+    let is_formula_before = |before: &str| before.contains(['=', '<', '>', '≤', '≥']);
+    let noted = typed.split_once('#').filter(|(before, note)| before.ends_with(' ') && !note.contains('='));
+    let typed = noted.map_or(typed, |(before, _)| before).trim_end();
+    let Some((before, reason)) = typed.trim_end_matches(['.', ' ']).rsplit_once("by ") else { return typed };
+    let is_law = |word: &str| {
+        let word = word.trim_matches(['(', ')', ',', '[', ']']);
+        LAW_WORDS.iter().any(|law| law.eq_ignore_ascii_case(word))
+    };
+    let is_apart = |before: &str| before.ends_with([' ', '(', '[']);
+    let is_reason = is_apart(before) && reason.split([' ', '/']).filter(|word| !word.is_empty()).all(is_law);
+    let before = before.trim_end_matches([' ', '(', '[', ',', ';', '-', '–']);
+    if is_reason && is_formula_before(before) { before } else { typed }
+}
+
+/// The words of which names of laws are made.
+const LAW_WORDS: [&str; 28] = [
+    "CLM",
+    "COLM",
+    "PCLM",
+    "PCM",
+    "COM",
+    "NEL",
+    "NLR",
+    "NLOR",
+    "NLI",
+    "AM-GM",
+    "AM–GM",
+    "AMGM",
+    "AM/GM",
+    "AM",
+    "GM",
+    "conservation",
+    "momentum",
+    "linear",
+    "restitution",
+    "impulse",
+    "impact",
+    "newton's",
+    "newton",
+    "law",
+    "of",
+    "the",
+    "and",
+    "&",
+];
+
 /// What an impulse is said to be along: `impulse is in direction i − j` for `I ∝ i − j`, where I is no number.
 pub(super) fn along_impulse(typed: &str) -> Option<String> {
     const ALONG: [&str; 8] =
