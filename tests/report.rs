@@ -223,3 +223,24 @@ fn a_nasty_name_is_harmless_in_every_table_and_page_of_the_report() {
         }
     }
 }
+
+#[test]
+fn a_line_of_another_way_to_what_is_to_be_shown_is_for_a_person() {
+    let folder = folder("another-way");
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let questions = key["questions"].as_array().unwrap();
+    let turned =
+        questions.iter().find(|question| question["id"] == "rest-letters/turned-through-a-right-angle").unwrap();
+    let working = |step: &str| {
+        format!("v cosθ = x + 2y\ny - x = ev cosθ\nx = v cosθ(1-2e)/3\nv sinθ across\n{step}tan²θ = (2e-1)/3")
+    };
+    let row = |student: &str, step: &str| {
+        format!("{student},{},,,tan²θ = (2e-1)/3,\"{}\"\n", turned["number"], working(step))
+    };
+    let rows = [HEAD, &row("S1", "m1m2 = -1\n"), &row("S2", "")].concat();
+    mark(&folder, &rows, &[]);
+    let report = read(&folder, "report.html");
+    let (_, said) = report.split_once("m1m2 = -1").unwrap();
+    assert!(said.contains("this line plays no part in what was found of it"), "{said}");
+    assert_eq!(report.matches("plays no part").count(), 1);
+}

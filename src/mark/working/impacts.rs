@@ -86,12 +86,13 @@ fn examine_as_begun(
     let here = before.values.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
     let part = impact.parts.iter().find(|other| other.label == part.label)?;
     let (slips, meant) = (before.slips.clone(), before.meant.clone());
-    let here = Theirs { values: here.collect(), slips, letters: None, meant };
+    let earlier = before.values.iter().map(|(quantity, (_, written))| (*quantity, written.clone())).collect();
+    let here = Theirs { values: here.collect(), slips, letters: None, earlier, meant };
     let examined = examine_one(impact, part, &typed, &here, of_others);
     let own = examined.theirs.values.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
     let values = before.values.clone().into_iter().chain(own).collect();
     let (slips, meant) = (examined.theirs.slips, examined.theirs.meant);
-    let theirs = Theirs { values, slips, letters: before.letters.clone(), meant };
+    let theirs = Theirs { values, slips, letters: before.letters.clone(), meant, ..Theirs::default() };
     let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
         typed: typed.clone(),
         role: meeting.in_words(&line.role),

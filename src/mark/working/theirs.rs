@@ -35,6 +35,8 @@ pub(crate) struct Theirs {
     pub(super) slips: Vec<Slip>,
     /// The letters that equations have for the velocities of A and B after the first impact, with their signs.
     pub(super) letters: Option<([String; 2], [f64; 2])>,
+    /// At a later impact, what was found of those before it, as it was written.
+    pub(super) earlier: BTreeMap<Quantity, Expr>,
     /// Letters for what is known, with what they stand for.
     pub(super) meant: Vec<(String, Expr)>,
 }

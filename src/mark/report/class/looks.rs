@@ -1,9 +1,12 @@
-//! What a person must look at: unreadable answers, and lines that cannot be read where marks are missing.
+//! What a person must look at: unreadable answers, lines that cannot be read where marks are missing, and another way to what
+//! is to be shown.
 
 use super::entries::Class;
+use crate::bank::Code;
 use crate::mark::judging::Verdict;
 use crate::mark::report::{MarkedScript, MarkedUnder};
-use crate::mark::working::MOST_LINES;
+use crate::mark::working::{MOST_LINES, PRINTED_RESULT};
+use crate::mark::{Award, MarkedLine, MarkedPart};
 
 /// What a person must look at.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,8 +58,26 @@ fn of_script<'r>(student: usize, script: &'r MarkedScript<'r>) -> impl Iterator<
             };
             look(format!("line {number}"), &line.typed, &reason)
         });
-        answers.chain(lines)
+        let other_way = line_of_another_way(&part.marked).map(move |(number, line)| {
+            let reason =
+                "The working ends with what is to be shown, and this line plays no part in what was found of it.";
+            look(format!("line {number}"), &line.typed, reason)
+        });
+        answers.chain(lines).chain(other_way)
     })
+}
+
+/// The first line that was read and plays no part, where the working ends with what is to be shown, no line of it is false, and
+/// marks are missing: it may be a step of another way.
+fn line_of_another_way(part: &MarkedPart) -> Option<(usize, &MarkedLine)> {
+    let result = part.awards.iter().find(|award| award.code == Code::A1Shown)?;
+    let awards = || part.awards.iter();
+    // What was lost for a mistake is no other way.
+    let is_silent = |award: &Award| award.given || award.evidence.is_none() || award.falls_with_another();
+    let ends = part.lines.last().is_some_and(|line| line.role == PRINTED_RESULT);
+    let is_open = !result.given && ends && awards().filter(|award| award.code != Code::A1Shown).all(is_silent);
+    let mut lines = (1..).zip(&part.lines).filter(|(_, line)| line.reading.is_some() && line.role.is_empty());
+    lines.find(|(_, line)| is_open && line.typed.contains(['=', '<', '>', '≤', '≥', '∝']))
 }
 
 fn is_full(part: &MarkedUnder) -> bool {

@@ -38,7 +38,8 @@ impl Working<'_> {
         let end = Some(self.end_of_finding()).filter(|end| both.is_some_and(|both| both < *end));
         let mut lines = self.lines.iter().enumerate().take(end.map_or(usize::MAX, |end| end + 1));
         let line = lines.position(|(place, studied)| states(studied) || eliminates((place, studied)));
-        let line = line.or_else(|| self.solved_in_vectors())?;
+        let in_tangent = || self.along_in_tangent().filter(|place| both.is_some_and(|both| *place > both));
+        let line = line.or_else(|| self.solved_in_vectors()).or_else(in_tangent)?;
         Some(Evidence::given(line, "the equations solved"))
     }
 

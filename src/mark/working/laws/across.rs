@@ -34,7 +34,8 @@ impl Working<'_> {
         }
         // Of a ratio of components both are seen.
         let at_wall = || self.tangent_by_e().or_else(|| self.by_unknown_components(Axis::T, Code::A1));
-        let found = Evidence::given(places.iter().max().copied().or_else(at_wall)?, role);
+        let seen = places.iter().max().copied().or_else(at_wall).or_else(|| self.across_implied(&across));
+        let found = Evidence::given(seen?, role);
         let changed = |(line, says): (usize, &str)| {
             let (note, feedback) = (Some(Departure::WrongAxis.tag()), format!("{says}: e has no part in it"));
             Evidence { line, given: false, note, feedback, ..Evidence::given(line, found.role.clone()) }

@@ -61,7 +61,8 @@ impl Working<'_> {
                 let found = found.or_else(|| self.with_sine_for_cosine(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
                 let by_cosine = || self.scalar_quotient(law).or_else(|| self.between_directions(law));
-                let by_angle = || self.compound_angle(law).or_else(by_cosine);
+                let alike = || self.directions_turn_alike(law);
+                let by_angle = || self.compound_angle(law).or_else(by_cosine).or_else(alike);
                 let expanded = || self.compound_equation(law, &quantities);
                 let of_deflection = || self.demanded_of_turn(law).or_else(by_angle);
                 match (is_of_deflection(law), code) {

@@ -1,6 +1,7 @@
 //! Marks for everything but momentum and restitution along the line of centres, law by law.
 
 mod across;
+mod across_implied;
 mod along_wall;
 mod by_components;
 mod by_law;
@@ -28,6 +29,7 @@ pub(super) use cleared::is_of_deflection;
 pub(super) use energies::ToBeSubtracted;
 pub(super) use impulse::is_worked;
 pub(super) use own_speed::multiple;
+pub(in crate::mark) use printed::PRINTED_RESULT;
 pub(super) use printed::{Spot, Truth, leaves};
 pub(super) use shapes::are_bare;
 pub(super) use values::along_for;

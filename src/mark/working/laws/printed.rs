@@ -12,6 +12,9 @@ use crate::mark::reading::{Form, Label, Reading};
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::lines::ReadLine;
 
+/// The role of a line that ends the working with what is to be shown.
+pub(in crate::mark) const PRINTED_RESULT: &str = "the result as it is printed";
+
 /// Where equations are looked at: what letters and names stand for at one point.
 pub(in crate::mark::working) struct Spot {
     pub(in crate::mark::working) points: Points,
@@ -30,7 +33,7 @@ pub(in crate::mark::working) enum Truth {
 impl Working<'_> {
     /// What the lines say of a printed result: that one of them is false, or that they end with it.
     pub(in crate::mark::working) fn printed_result(&self) -> Option<Evidence> {
-        let role = "the result as it is printed";
+        let role = PRINTED_RESULT;
         if let Some(line) = self.false_line() {
             let feedback = "this line is not true, so the result does not follow from it".to_owned();
             let role = "not true";
@@ -49,10 +52,14 @@ impl Working<'_> {
         self.part.blanks.iter().map(|blank| &blank.model).filter(|model| model.kind == Kind::Shown)
     }
 
+    /// What the results that are printed come to.
+    pub(super) fn printed_values(&self) -> impl Iterator<Item = &Expr> {
+        self.printed_models().filter_map(sides_of).map(|(_, right)| right)
+    }
+
     /// Is it what a result comes to, as it is printed? Whoever copies it has not found it.
     pub(super) fn is_printed_value(&self, expr: &Expr) -> bool {
-        let is = |model: &Model| matches!(&model.value, Expr::Relation(_, Relation::Equal, right) if **right == *expr);
-        self.printed_models().any(is)
+        self.printed_values().any(|right| right == expr)
     }
 
     /// Is it either side of a result that is printed?

@@ -106,8 +106,19 @@ impl Working<'_> {
             return None;
         }
         self.lines.iter().position(|studied| {
-            self.speaks_of_angle(studied)
-                && self.members(studied).any(|(member, _)| self.is_e_times(&member.expr, &tangent))
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            let is_it = |expr: &Expr| {
+                let known = self.with_tangents_asked(expr);
+                // `f/tan β` has two factors, and the result itself, `f/(e tan α)`, no more than one.
+                let apart = match &known {
+                    Expr::Quotient(above, below) if known != *expr => {
+                        Expr::product([(**above).clone(), Expr::integer(1).over((**below).clone())])
+                    }
+                    other => other.clone(),
+                };
+                self.is_e_times(&apart, &tangent)
+            };
+            self.speaks_of_angle(studied) && members.any(|member| is_it(&member.expr))
         })
     }
 

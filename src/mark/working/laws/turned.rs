@@ -1,12 +1,14 @@
 //! Turned through more than a right angle, or less: by the scalar product of the velocities, or by two angles with a wall.
 
 use super::condition::oriented;
-use crate::bank::EarnedFor;
+use crate::answer::Kind;
+use crate::bank::{EarnedFor, Find};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::Form;
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::examine::{Studied, Working};
 use crate::mark::working::numbers::{any_within, sizes};
+use crate::mark::working::theirs::is_nearly_right;
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Setting, Sphere};
 use crate::number::Range;
 
@@ -34,16 +36,21 @@ impl Working<'_> {
 
     /// How the scalar product of the velocities before a wall and after it is to stand to nought, where that is what is given.
     pub(super) fn demanded_turn(&self) -> Option<Relation> {
+        self.turn_given().filter(|_| self.prepared.setting == Setting::Wall)
+    }
+
+    /// The same at a wall or between spheres.
+    fn turn_given(&self) -> Option<Relation> {
         let condition = self.question.scene.conditions.first()?;
         let Expr::Name(name) = &condition.left else { return None };
         let is_dot = matches!(name.text.parse(), Ok(Quantity::DeflectionDot(_)));
-        Some(condition.relation)
-            .filter(|_| is_dot && condition.right.is_zero() && self.prepared.setting == Setting::Wall)
+        Some(condition.relation).filter(|_| is_dot && condition.right.is_zero())
     }
 
-    /// `α + β = 90`, or `cos(90 - α)` for the angle after: a right angle between paths that make these angles with a wall.
+    /// `α + β = 90`, or `cos(90 - α)` for the angle after: a right angle between paths that make these angles with a wall, or
+    /// with the line of centres of a sphere that goes back.
     pub(super) fn makes_right_angle(&self, (left, right): &(Expr, Expr)) -> bool {
-        if self.demanded_turn() != Some(Relation::Equal) {
+        if self.turn_given() != Some(Relation::Equal) {
             return false;
         }
         let are_together = || {
@@ -161,6 +168,16 @@ impl Working<'_> {
         is_given(one) && is_other(other) || is_other(one) && is_given(other)
     }
 
+    /// Is it the direction after less the one before, `β - α`?
+    pub(super) fn is_of_directions(&self, expr: &Expr) -> bool {
+        match terms(expr).as_slice() {
+            [(true, one), (false, other)] => {
+                self.is_given_angle(other) && !self.is_given_angle(one) && matches!(one, Expr::Name(_))
+            }
+            _ => false,
+        }
+    }
+
     /// Is it an angle of the question, by its letter or as it is?
     fn is_given_angle(&self, angle: &Expr) -> bool {
         let is_acute = |name: &str| {
@@ -187,6 +204,41 @@ impl Working<'_> {
             }
         }
         expr.map_children(&mut |child| self.with_stated_tangents(child, place))
+    }
+}
+
+impl Working<'_> {
+    /// With tangents as the question asks for them elsewhere, unless the student has found another: `f/(e tan α)` for `f/tan β`
+    /// and for `f tan(90 - β)`, where tan β is e tan α.
+    pub(super) fn with_tangents_asked(&self, expr: &Expr) -> Expr {
+        let Expr::Call(Function::Tan, angle) = expr else {
+            return expr.map_children(&mut |child| self.with_tangents_asked(child));
+        };
+        let tangent = match terms(angle).as_slice() {
+            [(true, own)] => self.tangent_asked(own).cloned(),
+            [(true, whole), (false, own)] if is_right_angle(whole) => self
+                .tangent_asked(own)
+                .map(|tangent| Expr::Quotient(Box::new(Expr::integer(1)), Box::new(tangent.clone()))),
+            _ => None,
+        };
+        tangent.unwrap_or_else(|| expr.clone())
+    }
+
+    fn tangent_asked(&self, angle: &Expr) -> Option<&Expr> {
+        let Expr::Name(name) = angle else { return None };
+        let blanks = self.question.parts.iter().flat_map(|part| &part.blanks);
+        let mut asked = blanks.filter_map(|blank| {
+            let is_it = blank.model.angle.as_ref() == Some(&name.text) && blank.model.kind == Kind::Expression;
+            let Find::Quantity(quantity) = blank.find else { return None };
+            is_it.then_some((quantity, &blank.model.value))
+        });
+        let (quantity, right) = asked.next()?;
+        let is_right = |own: &Expr| {
+            let sizes = [own, right].map(|expr| self.prepared.sizes_of(expr));
+            let [Some(own), Some(right)] = sizes else { return false };
+            own.iter().zip(&right).all(|(own, right)| is_nearly_right(*own, *right))
+        };
+        self.theirs.earlier.get(&quantity).is_none_or(is_right).then_some(right)
     }
 }
 
