@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use super::all_over::all_over;
 use super::candidates::candidates;
+use super::decimal_commas::{has_decimal_commas, with_points};
 use super::explained::explained;
 use super::labels::without_label;
 use super::products::{Products, factors_of_functions, has_letters};
@@ -125,13 +126,12 @@ pub(in crate::mark::working) fn read(
         vocabularies.push(Vocabulary { vectors: true, ..vocabularies[2].clone() });
     }
     let products = Products::of(typed(working), letters);
-    let read = |(place, typed): (usize, &str)| Line {
-        number: place + 1,
-        typed: typed.to_owned(),
-        readings: readings(&products.signed(&with_signs(without_label(typed))), &vocabularies)
-            .into_iter()
-            .map(Rc::new)
-            .collect(),
+    let has_commas = has_decimal_commas(typed(working));
+    let read = |(place, typed): (usize, &str)| {
+        let pointed = if has_commas { with_points(typed) } else { Cow::Borrowed(typed) };
+        let signed = with_signs(without_label(&pointed));
+        let readings = readings(&products.signed(&signed), &vocabularies);
+        Line { number: place + 1, typed: typed.to_owned(), readings: readings.into_iter().map(Rc::new).collect() }
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
 }

@@ -3,6 +3,7 @@
 mod all_over;
 mod candidates;
 mod crossed_out;
+mod decimal_commas;
 mod doubtful;
 mod explained;
 mod labels;
