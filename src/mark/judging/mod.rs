@@ -45,6 +45,7 @@ mod sorts;
 mod sources;
 mod spheres;
 mod statements;
+mod tenths;
 mod together;
 mod turns;
 mod units;

@@ -204,6 +204,15 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     if equality == Equality::Equal {
         return Finding::EXACT;
     }
+    // `303/1000` is the decimal 0.303, where that is right.
+    if let Some((written, target)) = Written::over_power_of_ten(expr).zip(known.target())
+        && known.value().is_some_and(Value::is_constant)
+    {
+        let as_decimal = decimal(&written, &target, &model.accept);
+        if as_decimal.is_correct() {
+            return as_decimal;
+        }
+    }
     let Some(right) = known.value() else {
         if let (Some(written), Some(Meaning::Angle(_)), Some(angle)) = (written, known.meaning(), known.turn()) {
             // A number such as pi is that of an angle in radians.
