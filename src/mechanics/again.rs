@@ -149,6 +149,14 @@ impl<N: Number + PartialEq> Carried<N> {
         Carried { plan, order, known, before: Vec::new() }
     }
 
+    /// Is this the derivation that a road leads to?
+    pub fn is_of(&self, road: Road, given: &Known<N>, asked: &[Quantity]) -> bool {
+        let steps = &Plan::on(road, given.0.as_entered(), asked, &[]).derivation.steps;
+        // A rule stands at one place as long as the program runs.
+        let is_one = |(one, other): (&&Rule, &&Rule)| std::ptr::eq(*one, *other);
+        steps.len() == self.plan.derivation.steps.len() && steps.iter().zip(&self.plan.derivation.steps).all(is_one)
+    }
+
     /// The steps.
     pub fn derivation(&self) -> &Derivation {
         &self.plan.derivation

@@ -217,10 +217,14 @@ impl Mistakes {
         }
     }
 }
+
 /// The derivation of what is asked on each road, each that is none of the others.
 pub(super) fn roads(given: &Known<Sample>, asked: &[Quantity]) -> Vec<Carried<Sample>> {
     let mut roads: Vec<Carried<Sample>> = Vec::new();
     for road in Road::ALL {
+        if roads.iter().any(|other| other.is_of(road, given, asked)) {
+            continue;
+        }
         let carried = Carried::on(road, given, asked);
         if roads.iter().all(|other| other.derivation() != carried.derivation()) {
             roads.push(carried);
