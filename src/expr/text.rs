@@ -79,6 +79,11 @@ impl Text {
         found
     }
 
+    /// Is there a formula or quantity in it?
+    pub fn has_formulas(&self) -> bool {
+        has_formulas(&self.0)
+    }
+
     /// Every name in its formulas, with the place where it was read.
     pub fn names(&self) -> Vec<&Name> {
         self.formulas().into_iter().flat_map(Expr::names).collect()
@@ -96,6 +101,14 @@ fn changed<E>(pieces: &[Piece], change: &mut impl FnMut(&Expr) -> Result<Expr, E
         })
     };
     pieces.iter().map(each).collect()
+}
+
+fn has_formulas(pieces: &[Piece]) -> bool {
+    pieces.iter().any(|piece| match piece {
+        Piece::Words(_) => false,
+        Piece::Italic(inner) => has_formulas(inner),
+        Piece::Formula(_) | Piece::Quantity(..) | Piece::Display(_) => true,
+    })
 }
 
 fn collect<'a>(pieces: &'a [Piece], found: &mut Vec<&'a Expr>) {

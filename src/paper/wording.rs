@@ -1,18 +1,25 @@
 //! The words of a question with its numbers put in.
 
-use crate::expr::{Expr, Function, Markup, Meaning, Piece, Relation, Text, evaluate, number, written};
+use std::borrow::Cow;
+
+use crate::expr::{Expr, Function, Meaning, Piece, Relation, Text, evaluate, number, written};
 use crate::generate::Variant;
 use crate::number::Value;
 use crate::unit::Unit;
 
 /// The paragraphs with numbers in place of names; `result` stands for what is to be shown.
-pub fn paragraphs(words: &Markup, variant: &Variant, result: Option<&Expr>) -> Vec<Text> {
+pub fn paragraphs(words: &[Text], variant: &Variant, result: Option<&Expr>) -> Vec<Text> {
     words.iter().map(|text| sentence(text, variant, result)).collect()
 }
 
 /// Words with numbers in place of names.
 pub fn sentence(text: &Text, variant: &Variant, result: Option<&Expr>) -> Text {
     Text(text.0.iter().map(|piece| filled_piece(piece, variant, result)).collect())
+}
+
+/// The same, without a copy where there is no formula in it.
+pub fn put_in<'t>(text: &'t Text, variant: &Variant, result: Option<&Expr>) -> Cow<'t, Text> {
+    if text.has_formulas() { Cow::Owned(sentence(text, variant, result)) } else { Cow::Borrowed(text) }
 }
 
 /// Several paragraphs as one run of words.

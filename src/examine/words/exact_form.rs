@@ -98,7 +98,10 @@ impl AsksExact {
     /// Reads them in the words of a variant.
     pub fn of(words: &Words) -> AsksExact {
         let said = |text: &Text| sentences(text).iter().any(|sentence| says(sentence, &EXACT));
-        AsksExact { stem: words.stem.iter().any(said), asks: words.asks.iter().map(said).collect() }
+        AsksExact {
+            stem: words.stem.iter().any(|text| said(text)),
+            asks: words.asks.iter().map(|text| said(text)).collect(),
+        }
     }
 }
 

@@ -3,10 +3,11 @@
 use std::cell::OnceCell;
 use std::collections::HashMap;
 
+use foldhash::fast::FixedState;
+
 use super::agreement::disagreeing;
 use super::exact_form::AsksExact;
 use super::misspelt::{meant, meant_after};
-use super::sentence::in_order;
 use super::sentences::{around, remark_at};
 use super::truth::Claims;
 use crate::examine::remark::Remark;
@@ -18,7 +19,9 @@ use crate::paper::Words;
 /// numbers, so each is looked at once.
 #[derive(Clone, Debug, Default)]
 pub struct Heard {
-    texts: HashMap<String, Vec<Remark>>,
+    texts: HashMap<String, Vec<Remark>, FixedState>,
+    /// Room for the words that are looked up.
+    words: String,
     claims: OnceCell<Claims>,
     exact: OnceCell<AsksExact>,
 }
@@ -34,19 +37,22 @@ impl Heard {
         self.exact.get_or_init(|| AsksExact::of(words))
     }
 
-    /// What does not read well in the words of a text.
-    pub(super) fn unreadable(&mut self, text: &Text, remarks: &mut Vec<Remark>) {
-        let mut pieces = Vec::new();
-        in_order(&text.0, &mut pieces);
-        let words: String = pieces
-            .iter()
-            .map(|piece| match piece {
-                Piece::Words(words) => words.as_str(),
-                Piece::Formula(Expr::Name(name)) => name.text.as_str(),
-                _ => "{}",
-            })
-            .collect();
-        remarks.extend_from_slice(self.texts.entry(words).or_insert_with(|| looked_at(text, &pieces)));
+    /// What does not read well in the words of a text, of which these are the pieces.
+    pub(super) fn unreadable(&mut self, text: &Text, pieces: &[&Piece], remarks: &mut Vec<Remark>) {
+        self.words.clear();
+        self.words.extend(pieces.iter().map(|piece| match piece {
+            Piece::Words(words) => words.as_str(),
+            Piece::Formula(Expr::Name(name)) => name.text.as_str(),
+            _ => "{}",
+        }));
+        match self.texts.get(&self.words) {
+            Some(known) => remarks.extend_from_slice(known),
+            None => {
+                let found = looked_at(text, pieces);
+                remarks.extend_from_slice(&found);
+                self.texts.insert(self.words.clone(), found);
+            }
+        }
     }
 }
 

@@ -3,6 +3,8 @@
 //! What stands between the numbers is the author's; what goes wrong is mostly where the two meet: `2/4`, 'a 8 kg', 'masses
 //! m and m', '1 times', a sphere that is said to move towards the other and moves away.
 
+use std::borrow::Cow;
+
 use super::own_words::Heard;
 use super::sentence::in_order;
 use crate::examine::remark::Remark;
@@ -14,10 +16,13 @@ use crate::unit::Unit;
 
 /// What does not read well; of the author's own words what was heard of them in other variants.
 pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: &mut Vec<Remark>) {
+    let mut pieces = Vec::new();
     for text in words.stem.iter().chain(&words.asks).chain(&words.said) {
-        heard.unreadable(text, remarks);
-        of_text(text, words, remarks);
-        for expr in text.formulas().into_iter().filter(|expr| divides_by_nought(expr, variant)) {
+        pieces.clear();
+        in_order(&text.0, &mut pieces);
+        heard.unreadable(text, &pieces, remarks);
+        of_pieces(&pieces, words, remarks);
+        for expr in pieces.iter().copied().filter_map(formula).filter(|expr| divides_by_nought(expr, variant)) {
             let help = "require that what stands below the line is not nought";
             remarks.push(remark("a division by nought", &print::unicode(expr), help));
         }
@@ -27,7 +32,7 @@ pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: 
 
 /// Sentences begin with a capital and end with a full stop.
 fn each_sentence(words: &Words, remarks: &mut Vec<Remark>) {
-    let all: Vec<&Text> = words.stem.iter().chain(&words.asks).collect();
+    let all: Vec<&Text> = words.stem.iter().chain(&words.asks).map(Cow::as_ref).collect();
     for (place, text) in all.iter().enumerate() {
         without_a_capital(text, words, remarks);
         // `Given that the coefficient of restitution is {e},` and then `(a) find …, (b) find …`
@@ -93,35 +98,38 @@ pub(super) fn around(words: &str, at: usize) -> &str {
     words[start..end].trim()
 }
 
-fn of_text(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
-    let mut pieces = Vec::new();
-    in_order(&text.0, &mut pieces);
-    for (place, piece) in pieces.iter().enumerate() {
+/// The formula of a piece.
+fn formula(piece: &Piece) -> Option<&Expr> {
+    match piece {
+        Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => Some(expr),
+        Piece::Words(_) | Piece::Italic(_) => None,
+    }
+}
+
+/// The numbers and formulas of a text, with the words between them.
+fn of_pieces(pieces: &[&Piece], words: &Words, remarks: &mut Vec<Remark>) {
+    for (place, piece) in pieces.iter().copied().enumerate() {
         let after = match pieces.get(place + 1) {
             Some(Piece::Words(words)) => words.as_str(),
             _ => "",
         };
-        match piece {
-            Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => {
-                let before = match place.checked_sub(1).and_then(|place| pieces.get(place)) {
-                    Some(Piece::Words(words)) => words.as_str(),
-                    _ => "",
-                };
-                if divides_by_degrees(expr) && shown(piece).contains("/1°") {
-                    let help = "print it in degrees, as in `{alpha deg}`; or say `{tan(alpha) = t}`, with `alpha` a letter of `symbols`";
-                    remarks.push(remark("an angle over one degree", &shown(piece), help).warning());
-                }
-                let is_signed = || is_of_a_vector(&pieces[..place]) && tells_the_sense(words);
-                of_number(expr, piece, before, after, &is_signed, remarks);
-                if after.trim() == "and" && pieces.get(place + 2) == Some(piece) && !matches!(expr, Expr::Vector(..)) {
-                    let one = shown(piece);
-                    let help = "say `each`, or require that the two differ";
-                    let twice = remark("the same thing said twice", &format!("{one} and {one}"), help);
-                    // Components come in twos, and may be equal: 2i + 2j.
-                    remarks.push(if is_of_components(&pieces[..place]) { twice.warning() } else { twice });
-                }
-            }
-            Piece::Words(_) | Piece::Italic(_) => {}
+        let Some(expr) = formula(piece) else { continue };
+        let before = match place.checked_sub(1).and_then(|place| pieces.get(place)) {
+            Some(Piece::Words(words)) => words.as_str(),
+            _ => "",
+        };
+        if divides_by_degrees(expr) && shown(piece).contains("/1°") {
+            let help = "print it in degrees, as in `{alpha deg}`; or say `{tan(alpha) = t}`, with `alpha` a letter of `symbols`";
+            remarks.push(remark("an angle over one degree", &shown(piece), help).warning());
+        }
+        let is_signed = || is_of_a_vector(&pieces[..place]) && tells_the_sense(words);
+        of_number(expr, piece, before, after, &is_signed, remarks);
+        if after.trim() == "and" && pieces.get(place + 2) == Some(&piece) && !matches!(expr, Expr::Vector(..)) {
+            let one = shown(piece);
+            let help = "say `each`, or require that the two differ";
+            let twice = remark("the same thing said twice", &format!("{one} and {one}"), help);
+            // Components come in twos, and may be equal: 2i + 2j.
+            remarks.push(if is_of_components(&pieces[..place]) { twice.warning() } else { twice });
         }
     }
 }
@@ -255,7 +263,8 @@ fn is_plural(word: &str) -> bool {
 
 /// 'a 4 kg sphere' and 'an 8 kg sphere'.
 fn article(piece: &Piece, before: &str, remarks: &mut Vec<Remark>) {
-    let article = before.strip_suffix(' ').and_then(|rest| rest.rsplit([' ', '(']).next()).unwrap_or("");
+    let article = before.strip_suffix(' ').and_then(|rest| rest.rsplit([' ', '(']).next());
+    let Some(article @ ("a" | "an")) = article else { return };
     let number = match piece {
         Piece::Quantity(expr, _) | Piece::Formula(expr) => constant(expr),
         _ => None,
@@ -357,8 +366,10 @@ mod tests {
         for (words, shown) in table {
             let mut remarks = Vec::new();
             for text in read_markup(words).unwrap() {
-                Heard::default().unreadable(&text, &mut remarks);
-                of_text(&text, &Words::default(), &mut remarks);
+                let mut pieces = Vec::new();
+                in_order(&text.0, &mut pieces);
+                Heard::default().unreadable(&text, &pieces, &mut remarks);
+                of_pieces(&pieces, &Words::default(), &mut remarks);
             }
             let said = format!("{remarks:?}");
             assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{words}: {said}");
@@ -367,7 +378,7 @@ mod tests {
 
     #[test]
     fn a_sentence_may_go_on_into_the_parts() {
-        let text = |words: &str| read_markup(words).unwrap().remove(0);
+        let text = |words: &str| Cow::Owned(read_markup(words).unwrap().remove(0));
         let table = [
             ("*A* strikes *B*. Given that e is {e},", &["find the speed of *A*,", "find the speed of *B*."][..], ""),
             ("*A* strikes *B*. Given that e is {e},", &["Find the speed of *A*."], "without a full stop"),
