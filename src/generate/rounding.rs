@@ -16,14 +16,13 @@ const MARGIN: (i64, i64) = (1, 20);
 /// assert!(!rounds_safely(&Value::fraction(12452, 10000), &places));
 /// ```
 pub fn rounds_safely(value: &Value, places: &Places) -> bool {
-    if let Some(exact) = value.as_fraction() {
-        return fraction_rounds_safely(exact, places);
-    }
     if !value.is_constant() {
         return true;
     }
-    safely_in_doubles(value.between_doubles(), places)
-        .unwrap_or_else(|| clear(|bits| value.enclose(bits, &|_| None), places))
+    safely_in_doubles(value.between_doubles(), places).unwrap_or_else(|| match value.as_fraction() {
+        Some(exact) => fraction_rounds_safely(exact, places),
+        None => clear(|bits| value.enclose(bits, &|_| None), places),
+    })
 }
 
 /// As [`degrees_round_safely`], for the angle of a direction with these components.
