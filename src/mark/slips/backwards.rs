@@ -9,9 +9,9 @@
 use crate::mechanics::{Carried, Condition, Datum, Known, MadeSlip, Quantity, Sought, Vanishing};
 use crate::number::{Letter, Range, Value};
 
+use super::evaluated::condition_gap;
 use super::sample::{POINTS, Sample};
 use super::table::value;
-use super::written::condition_gap;
 
 /// After so many numbers it is given up.
 const MOST_STEPS: usize = 12;
@@ -37,42 +37,42 @@ const VANISHED: f64 = 1e-6;
 const FIRST_STEP: f64 = 1.0 / 16.0;
 
 /// Data in place of others.
-pub(super) type Entered = Vec<(Quantity, Datum<Sample>)>;
+pub(super) type Entered<const N: usize = POINTS> = Vec<(Quantity, Datum<Sample<N>>)>;
 
 /// A letter, with all that it is found from.
 #[derive(Clone, Debug)]
-pub(super) struct Backwards {
+pub(super) struct Backwards<const N: usize = POINTS> {
     pub(super) letter: Letter,
     /// The other letters, each with what it stands for.
-    others: Vec<(Letter, Sample)>,
+    others: Vec<(Letter, Sample<N>)>,
     /// What is given in terms of the letter.
     given: Vec<(Quantity, Datum<Value>)>,
     /// What was asked of the scene to find it.
     asked: Vec<Quantity>,
     /// The right numbers.
-    places: Vec<Place>,
+    places: Vec<Place<N>>,
     /// Are they the ends of a range?
     pub(super) is_range: bool,
 }
 
 /// A right number, with what vanishes there.
 #[derive(Clone, Debug)]
-struct Place {
-    right: Landed,
+struct Place<const N: usize> {
+    right: Landed<N>,
     vanishing: Vanishing,
 }
 
 /// A number at which something vanishes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Landed {
-    pub(super) number: Sample,
+pub(super) struct Landed<const N: usize = POINTS> {
+    pub(super) number: Sample<N>,
     /// Does it grow with the number there? One, or else minus one: of a range that is the side on which it lies.
-    pub(super) side: Sample,
+    pub(super) side: Sample<N>,
 }
 
-impl Backwards {
+impl<const N: usize> Backwards<N> {
     /// Nothing if the right numbers do not exist at the points, or do not make vanish what they should.
-    pub(super) fn of(sought: &Sought, road: &mut Carried<Sample>) -> Option<Backwards> {
+    pub(super) fn of(sought: &Sought, road: &mut Carried<Sample<N>>) -> Option<Backwards<N>> {
         let has_letter = |value: &Value| value.has_letter(|own| *own == sought.letter);
         let is_open = |datum: &Datum<Value>| match datum {
             Datum::Number(value) => has_letter(value),
@@ -110,12 +110,12 @@ impl Backwards {
     }
 
     /// The right number of a place.
-    pub(super) fn right(&self, place: usize) -> Landed {
+    pub(super) fn right(&self, place: usize) -> Landed<N> {
         self.places[place].right
     }
 
     /// A number as an answer has it: an angle in degrees.
-    pub(super) fn in_figures(&self, number: Sample) -> Sample {
+    pub(super) fn in_figures(&self, number: Sample<N>) -> Sample<N> {
         match self.letter.range() {
             Range::Acute => number.map(|tangent| tangent.atan().to_degrees()),
             _ => number,
@@ -123,7 +123,7 @@ impl Backwards {
     }
 
     /// What is given where the letter is this number.
-    pub(super) fn given_at(&self, number: Sample) -> Entered {
+    pub(super) fn given_at(&self, number: Sample<N>) -> Entered<N> {
         let there = |value: &Value| self.nearly(value, number);
         let datum = |datum: &Datum<Value>| match datum {
             Datum::Number(value) => Datum::Number(there(value)),
@@ -134,7 +134,7 @@ impl Backwards {
     }
 
     /// About a value, where the letter is this number.
-    fn nearly(&self, value: &Value, number: Sample) -> Sample {
+    fn nearly(&self, value: &Value, number: Sample<N>) -> Sample<N> {
         Sample::nearly(value, &|letter| match letter == self.letter {
             true => Some(number),
             false => self.others.iter().find(|(other, _)| *other == letter).map(|(_, number)| *number),
@@ -146,27 +146,27 @@ impl Backwards {
     pub(super) fn found(
         &self,
         place: usize,
-        road: &mut Carried<Sample>,
+        road: &mut Carried<Sample<N>>,
         slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample>)],
-    ) -> Option<Landed> {
+        entered: &[(Quantity, Datum<Sample<N>>)],
+    ) -> Option<Landed<N>> {
         let Place { right, vanishing } = &self.places[place];
         let is_changed =
-            |carried: &Carried<Sample>, trace| self.asked.iter().any(|own| carried.is_changed(*own, trace));
+            |carried: &Carried<Sample<N>>, trace| self.asked.iter().any(|own| carried.is_changed(*own, trace));
         if !road.again(slips, entered, is_changed) {
             return Some(*right);
         }
         let found = if let Vanishing::Slope(quantity) = vanishing {
-            let mut slopes = |number: Sample| self.slopes(*quantity, number, road, slips, entered);
+            let mut slopes = |number: Sample<N>| self.slopes(*quantity, number, road, slips, entered);
             // Of a complement it is least where it should be greatest.
             let other = Landed { side: -right.side, ..*right };
             flat(*right, &mut slopes).or_else(|| flat(other, &mut slopes))?
         } else {
             let start = [right.number, beside(right.number)];
-            let mut gap = |number: Sample| self.gap(vanishing, number, road, slips, entered);
+            let mut gap = |number: Sample<N>| self.gap(vanishing, number, road, slips, entered);
             // What is not near a line in the number may be one in its reciprocal.
-            let over = |number: Sample| number.map(f64::recip);
-            let by_reciprocal = |gap: &mut dyn FnMut(Sample) -> Option<Sample>| {
+            let over = |number: Sample<N>| number.map(f64::recip);
+            let by_reciprocal = |gap: &mut dyn FnMut(Sample<N>) -> Option<Sample<N>>| {
                 let Landed { number, side } = root(start.map(over), |number| gap(over(number)))?;
                 Some(Landed { number: over(number), side: -side })
             };
@@ -180,20 +180,20 @@ impl Backwards {
     fn gap(
         &self,
         vanishing: &Vanishing,
-        number: Sample,
-        road: &mut Carried<Sample>,
+        number: Sample<N>,
+        road: &mut Carried<Sample<N>>,
         slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample>)],
-    ) -> Option<Sample> {
+        entered: &[(Quantity, Datum<Sample<N>>)],
+    ) -> Option<Sample<N>> {
         match vanishing {
             Vanishing::Gap(Condition { left, right, .. }) => {
                 let gap =
-                    |known: &Known<Sample>| condition_gap(left, right, &self.others, (self.letter, number), known);
+                    |known: &Known<Sample<N>>| condition_gap(left, right, &self.others, (self.letter, number), known);
                 self.carry_out(number, road, slips, entered, gap)
             }
             Vanishing::Distance(quantity, bound) => {
                 let distance =
-                    |known: &Known<Sample>| Some(value(known.0.get(quantity)?)? - self.nearly(bound, number));
+                    |known: &Known<Sample<N>>| Some(value(known.0.get(quantity)?)? - self.nearly(bound, number));
                 self.carry_out(number, road, slips, entered, distance)
             }
             Vanishing::Slope(quantity) => Some(self.slopes(*quantity, number, road, slips, entered)?[0]),
@@ -204,19 +204,22 @@ impl Backwards {
     fn slopes(
         &self,
         quantity: Quantity,
-        number: Sample,
-        road: &mut Carried<Sample>,
+        number: Sample<N>,
+        road: &mut Carried<Sample<N>>,
         slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample>)],
-    ) -> Option<[Sample; 2]> {
+        entered: &[(Quantity, Datum<Sample<N>>)],
+    ) -> Option<[Sample<N>; 2]> {
         // By a value to each side: right but for the square of how far off they are.
         let step = number.map(|number| FINE * number.abs().max(FINE));
         let around = [number - step, number, number + step];
-        let seen = |known: &Known<Sample>| value(known.0.get(&quantity)?);
+        let seen = |known: &Known<Sample<N>>| value(known.0.get(&quantity)?);
         let mut at = |number| self.carry_out(number, road, slips, entered, seen);
-        let [below, here, above] = match self.others.is_empty() {
+        let [below, here, above] = match self.others.is_empty() && N >= around.len() {
             // All points are one then, and the three numbers can have one each.
-            true => at(Sample(around.map(|number| number.0[0])))?.0.map(Sample::constant),
+            true => {
+                let found = at(Sample(std::array::from_fn(|point| around[point % around.len()].0[0])))?;
+                [0, 1, 2].map(|point| Sample::constant(found.0[point]))
+            }
             false => [at(around[0])?, at(around[1])?, at(around[2])?],
         };
         let slope = (above - below).with(step, |change, step| change / (2.0 * step));
@@ -227,12 +230,12 @@ impl Backwards {
     /// Carries the derivation out with the slips, the other data and this number; looks at what is known then.
     fn carry_out(
         &self,
-        number: Sample,
-        road: &mut Carried<Sample>,
+        number: Sample<N>,
+        road: &mut Carried<Sample<N>>,
         slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample>)],
-        look: impl FnOnce(&Known<Sample>) -> Option<Sample>,
-    ) -> Option<Sample> {
+        entered: &[(Quantity, Datum<Sample<N>>)],
+        look: impl FnOnce(&Known<Sample<N>>) -> Option<Sample<N>>,
+    ) -> Option<Sample<N>> {
         let mut other = self.given_at(number);
         other.extend_from_slice(entered);
         road.again(slips, &other, |carried, _| look(carried.known())).filter(|found| found.is_finite())
@@ -240,12 +243,15 @@ impl Backwards {
 }
 
 /// The second number, a little further on.
-fn beside(number: Sample) -> Sample {
+fn beside<const N: usize>(number: Sample<N>) -> Sample<N> {
     number.map(|number| number + FIRST_STEP * number.abs().max(FIRST_STEP))
 }
 
 /// Where something vanishes, at each point for itself.
-fn root(start: [Sample; 2], mut gap: impl FnMut(Sample) -> Option<Sample>) -> Option<Landed> {
+fn root<const N: usize>(
+    start: [Sample<N>; 2],
+    mut gap: impl FnMut(Sample<N>) -> Option<Sample<N>>,
+) -> Option<Landed<N>> {
     let [mut last, mut here] = start;
     let (mut at_last, mut at_here) = (gap(last)?, gap(here)?);
     // What is the same for every number determines none.
@@ -261,7 +267,7 @@ fn root(start: [Sample; 2], mut gap: impl FnMut(Sample) -> Option<Sample>) -> Op
                 false => (here.0[point] - at_here.0[point] * change / rise, (rise / change).signum()),
             }
         };
-        let each: [(f64, f64); POINTS] = std::array::from_fn(place);
+        let each: [(f64, f64); N] = std::array::from_fn(place);
         let next = Sample(each.map(|(next, _)| next));
         side = Sample(each.map(|(_, side)| side));
         if !next.is_finite() {
@@ -278,10 +284,13 @@ fn root(start: [Sample; 2], mut gap: impl FnMut(Sample) -> Option<Sample>) -> Op
 
 /// Where a rate of change vanishes, at each point for itself: `slopes` is that rate and its own. From the right number on to
 /// where something is greatest as it is there, or least.
-fn flat(right: Landed, mut slopes: impl FnMut(Sample) -> Option<[Sample; 2]>) -> Option<Landed> {
+fn flat<const N: usize>(
+    right: Landed<N>,
+    mut slopes: impl FnMut(Sample<N>) -> Option<[Sample<N>; 2]>,
+) -> Option<Landed<N>> {
     let Landed { number: mut here, side } = right;
     // Between these it lies.
-    let (mut low, mut high) = ([f64::NEG_INFINITY; POINTS], [f64::INFINITY; POINTS]);
+    let (mut low, mut high) = ([f64::NEG_INFINITY; N], [f64::INFINITY; N]);
     for _ in 0..MOST_STEPS {
         let [slope, rise] = slopes(here)?;
         let place = |point: usize| {
@@ -324,7 +333,7 @@ mod tests {
 
     /// From 1 on, for something that is greatest at these numbers, by how fast it changes there and how fast that does.
     fn greatest_from_one(slopes: Slopes) -> Option<f64> {
-        let right = Landed { number: Sample::constant(1.0), side: Sample::constant(-1.0) };
+        let right: Landed = Landed { number: Sample::constant(1.0), side: Sample::constant(-1.0) };
         let found = flat(right, |number| {
             let [slope, rise] = slopes(number.0[0]);
             Some([Sample::constant(slope), Sample::constant(rise)])

@@ -8,6 +8,7 @@ mod asked;
 mod backwards;
 mod calculator;
 mod cause;
+mod evaluated;
 mod last_step;
 mod listed;
 mod rounding;

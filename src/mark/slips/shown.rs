@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use crate::mechanics::{Axis, Carried, Datum, Known, MadeSlip, Quantity, Slip, Sought, Trace};
+use crate::mechanics::{Axis, Carried, Datum, Known, MadeSlip, Quantity, Slip, Sought, Trace, Vanishing};
 use crate::number::Value;
 
 use super::asked::Asked;
@@ -15,7 +15,7 @@ use super::sample::{POINTS, Sample, sampled};
 use super::table::value;
 use super::ways::roads;
 
-/// An answer in figures: each component at each of the fixed points of the letters, of an angle the degrees. Without a
+/// An answer in figures: each component at each of the fixed points of the letters, at one where there are none, of an angle the degrees. Without a
 /// sign where the sign is no part of the answer, and of a direction the unit vector. Of a range each end, with plus or
 /// minus one for the side of it on which the range lies.
 pub type Figures = SmallVec<[f64; 2 * POINTS]>;
@@ -40,13 +40,30 @@ pub fn shown(
     sought: Option<&Sought>,
     differ: &dyn Fn(&Answers, &Answers) -> bool,
 ) -> Option<Vec<Outcome>> {
-    Some(carried_out(&sampled(given)?, answers, sought, differ))
+    Some(match is_of_numbers(given, sought) {
+        true => carried_out::<1>(&sampled(given)?, answers, sought, differ),
+        false => carried_out::<POINTS>(&sampled(given)?, answers, sought, differ),
+    })
+}
+
+/// Is nothing open, so that one point is as good as all? Where something is greatest each point tries a number of its own.
+fn is_of_numbers(given: &Known<Value>, sought: Option<&Sought>) -> bool {
+    let is_number = |(_, datum): (&Quantity, &Datum<Value>)| match datum {
+        Datum::Number(value) => value.is_constant(),
+        Datum::Direction { y, x } => y.is_constant() && x.is_constant(),
+        Datum::Equation(_) => true,
+    };
+    let is_of_its_letter = |sought: &Sought| {
+        let is_steep = |(_, vanishing): &(Value, Vanishing)| !matches!(vanishing, Vanishing::Slope(_));
+        sought.letters.iter().all(|letter| *letter == sought.letter) && sought.places.iter().all(is_steep)
+    };
+    given.0.iter().all(is_number) && sought.is_none_or(is_of_its_letter)
 }
 
 /// The slips that would change something if no number happened to equal another: every number that is not nought is
 /// moved a little, each by another part. What is nought stays so; who strikes a sphere at rest cannot forget its velocity.
 pub fn acting(given: &Known<Value>, answers: &[Asked], sought: Option<&Sought>) -> Vec<usize> {
-    let Some(mut moved) = sampled(given) else { return Vec::new() };
+    let Some(mut moved) = sampled::<POINTS>(given) else { return Vec::new() };
     let mut part = 1.0; // so little in all that who goes on does not turn back
     for (quantity, datum) in moved.0.values_mut() {
         if matches!(quantity, Quantity::Line(_) | Quantity::Tangent(_)) {
@@ -62,8 +79,8 @@ pub fn acting(given: &Known<Value>, answers: &[Asked], sought: Option<&Sought>) 
     carried_out(&moved, answers, sought, &|_, _| true).iter().map(|outcome| outcome.slip).collect()
 }
 
-fn carried_out(
-    given: &Known<Sample>,
+fn carried_out<const N: usize>(
+    given: &Known<Sample<N>>,
     answers: &[Asked],
     sought: Option<&Sought>,
     differ: &dyn Fn(&Answers, &Answers) -> bool,
@@ -72,23 +89,24 @@ fn carried_out(
     let mut roads = roads(given, &asked.collect::<Vec<_>>().concat());
     let backwards = sought.and_then(|sought| Backwards::of(sought, &mut roads[0]));
     let backwards = backwards.as_ref();
-    let all = |known: &Known<Sample>, found: &[Option<Landed>]| {
+    let all = |known: &Known<Sample<N>>, found: &[Option<Landed<N>>]| {
         answers.iter().map(|asked| figures(asked, known, backwards, found)).collect::<Answers>()
     };
     let places = || backwards.into_iter().flat_map(|backwards| (0..backwards.count()).map(move |at| (backwards, at)));
-    let found: Vec<Option<Landed>> = places().map(|(backwards, at)| Some(backwards.right(at))).collect();
+    let found: Vec<Option<Landed<N>>> = places().map(|(backwards, at)| Some(backwards.right(at))).collect();
     let right = all(roads[0].known(), &found);
-    let changed = |carried: &Carried<Sample>, trace: Trace| -> Answers {
+    let unchanged = |right: &Option<Figures>| right.as_deref().map(Figures::from_slice);
+    let changed = |carried: &Carried<Sample<N>>, trace: Trace| -> Answers {
         let one = |(asked, right): (&Asked, &Option<Figures>)| {
             let is_changed = asked.quantities().iter().any(|quantity| carried.is_changed(*quantity, trace));
-            if is_changed { figures(asked, carried.known(), None, &[]) } else { right.clone() }
+            if is_changed { figures(asked, carried.known(), None, &[]) } else { unchanged(right) }
         };
         answers.iter().zip(&right).map(one).collect()
     };
     let mut outcomes = Vec::new();
     for (slip, owned) in Slip::all().iter().enumerate() {
         let mut acts = false;
-        let shown = roads.iter_mut().filter(|road| road.has_law_of(*owned)).find_map(|road| {
+        let shown = roads.iter_mut().filter(|road| road.has_law_of(slip)).find_map(|road| {
             let made = [MadeSlip::everywhere(*owned)];
             let looked = road.again(&made, &[], |carried, trace| {
                 // What is found backwards is not known yet.
@@ -97,7 +115,7 @@ fn carried_out(
             acts |= looked.is_some();
             let outcome = looked?.unwrap_or_else(|| {
                 // Who has found another letter goes on with that.
-                let found: Vec<Option<Landed>> =
+                let found: Vec<Option<Landed<N>>> =
                     places().map(|(backwards, at)| backwards.found(at, road, &made, &[])).collect();
                 let given = match (backwards, found.as_slice()) {
                     (Some(backwards), [Some(own)]) if !backwards.is_range => backwards.given_at(own.number),
@@ -115,25 +133,30 @@ fn carried_out(
 }
 
 /// An answer in what is known.
-fn figures(
+fn figures<const N: usize>(
     asked: &Asked,
-    known: &Known<Sample>,
-    backwards: Option<&Backwards>,
-    found: &[Option<Landed>],
+    known: &Known<Sample<N>>,
+    backwards: Option<&Backwards<N>>,
+    found: &[Option<Landed<N>>],
 ) -> Option<Figures> {
     let Asked::Quantities(answer) = asked else {
         let backwards = backwards?;
-        let side = |landed: Landed| (*asked == Asked::Ends).then_some(landed.side);
-        let figures = |landed: Landed| [Some(backwards.in_figures(landed.number)), side(landed)];
-        let found: Option<Vec<Landed>> = found.iter().copied().collect();
+        let side = |landed: Landed<N>| (*asked == Asked::Ends).then_some(landed.side);
+        let figures = |landed: Landed<N>| [Some(backwards.in_figures(landed.number)), side(landed)];
+        let found: Option<Vec<Landed<N>>> = found.iter().copied().collect();
         return Some(found?.into_iter().flat_map(figures).flatten().flat_map(|sample| sample.0).collect());
     };
     // Who has not found the letter cannot go on.
     if backwards.is_some_and(|backwards| !backwards.is_range) && found.iter().any(Option::is_none) {
         return None;
     }
-    let found: Option<SmallVec<[Sample; 2]>> = answer.iter().map(|quantity| value(known.0.get(quantity)?)).collect();
-    let mut found = found.filter(|values| !values.is_empty() && values.iter().all(|value| value.is_finite()))?;
+    let mut found: SmallVec<[Sample<N>; 2]> = SmallVec::new();
+    for quantity in answer {
+        found.push(value(known.0.get(quantity)?).filter(|value| value.is_finite())?);
+    }
+    if found.is_empty() {
+        return None;
+    }
     match answer.as_slice() {
         [Quantity::Line(Axis::X) | Quantity::Tangent(Axis::X), _] => {
             let size = found[0].with(found[1], f64::hypot);

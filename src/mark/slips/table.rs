@@ -198,7 +198,7 @@ impl Answer {
 }
 
 /// A number, or an angle in degrees.
-pub(super) fn value(datum: &Datum<Sample>) -> Option<Sample> {
+pub(super) fn value<const N: usize>(datum: &Datum<Sample<N>>) -> Option<Sample<N>> {
     match datum {
         Datum::Number(number) => Some(*number),
         Datum::Direction { y, x } => has_direction(*x, *y).then(|| y.with(*x, f64::atan2).map(f64::to_degrees)),
@@ -207,7 +207,7 @@ pub(super) fn value(datum: &Datum<Sample>) -> Option<Sample> {
 }
 
 /// Is a vector long enough to have a direction, at every point?
-fn has_direction(x: Sample, y: Sample) -> bool {
+fn has_direction<const N: usize>(x: Sample<N>, y: Sample<N>) -> bool {
     (x * x + y * y).0.iter().all(|square| *square > SMALLEST * SMALLEST)
 }
 

@@ -219,8 +219,8 @@ impl Mistakes {
 }
 
 /// The derivation of what is asked on each road, each that is none of the others.
-pub(super) fn roads(given: &Known<Sample>, asked: &[Quantity]) -> Vec<Carried<Sample>> {
-    let mut roads: Vec<Carried<Sample>> = Vec::new();
+pub(super) fn roads<const N: usize>(given: &Known<Sample<N>>, asked: &[Quantity]) -> Vec<Carried<Sample<N>>> {
+    let mut roads: Vec<Carried<Sample<N>>> = Vec::new();
     for road in Road::ALL {
         if roads.iter().any(|other| other.is_of(road, given, asked)) {
             continue;
