@@ -145,8 +145,8 @@ impl Reader<'_> {
                 self.help(&format!("add the centre of {sphere}, its components along i and along j"));
                 return None;
             };
-            let x = self.value(x.as_ref(), &format!("positions.{sphere}[0]"));
-            let y = self.value(y.as_ref(), &format!("positions.{sphere}[1]"));
+            let x = self.value(x.as_ref(), format_args!("positions.{sphere}[0]"));
+            let y = self.value(y.as_ref(), format_args!("positions.{sphere}[1]"));
             Some([x?.value, y?.value])
         };
         let a = place(text.positions.a.as_ref(), "A");

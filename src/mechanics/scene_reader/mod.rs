@@ -6,6 +6,7 @@ mod letters;
 mod then;
 mod velocities;
 
+use std::fmt::Display;
 use std::rc::Rc;
 
 use letters::known_letters;
@@ -91,7 +92,7 @@ impl Reader<'_> {
         self.imply(text);
         let setting = self.setting(text);
         let masses = [(&text.masses.a, Sphere::A), (&text.masses.b, Sphere::B)]
-            .map(|(mass, sphere)| self.optional(mass.as_ref(), &format!("masses.{}", sphere.name())));
+            .map(|(mass, sphere)| self.optional(mass.as_ref(), format_args!("masses.{}", sphere.name())));
         let mut before = self.velocities(&text.before, "before");
         let mut after = self.velocities(&text.after, "after");
         if setting == Setting::Wall {
@@ -157,11 +158,11 @@ impl Reader<'_> {
     }
 
     /// A formula as it stands, in names.
-    fn formula(&mut self, text: &str, field: &str) -> Option<Rc<Expr>> {
+    fn formula(&mut self, text: &str, field: impl Display) -> Option<Rc<Expr>> {
         match formulas::read(text, self.angles) {
             Ok(expr) => Some(expr),
             Err(fault) => {
-                self.fault(field, fault);
+                self.fault(&field.to_string(), fault);
                 None
             }
         }
@@ -187,35 +188,39 @@ impl Reader<'_> {
         }
     }
 
-    fn value(&mut self, text: &str, field: &str) -> Option<Given> {
-        let formula = self.formula(text, field)?;
+    /// What a text comes to. The name of its field is made where it must be told.
+    fn value(&mut self, text: &str, field: impl Display) -> Option<Given> {
+        let formula = self.formula(text, &field)?;
         match number(&formula, &|name| self.meaning(name)) {
-            Ok(value) if value.terms() > MOST_TERMS => {
-                self.whole_fault(field, text, "too long a formula", "a shorter one");
-                None
-            }
-            Ok(value) if given_angles(&value) > MOST_ANGLES => {
-                let expected = format!("sines, cosines and tangents of at most {MOST_ANGLES} angles");
-                self.whole_fault(field, text, "too many different angles in one formula", &expected);
-                self.help("write what it comes to as a decimal");
-                None
-            }
-            Ok(value) if value.depth() > MOST_DEPTH => {
-                let expected = format!("at most {MOST_DEPTH} roots, one within another");
-                self.whole_fault(field, text, "too many roots within roots", &expected);
-                self.help("write what it comes to as a decimal");
-                None
-            }
-            Ok(value) => {
+            Ok(value) if !is_too_much(&value) => {
                 let worked_out = value.as_fraction().is_some() && !self.is_decimal(&formula);
                 let shown = if worked_out { written(&value) } else { self.filled(&formula) };
                 Some(Given { value, shown })
             }
+            Ok(value) => {
+                self.too_much(text, &field.to_string(), &value);
+                None
+            }
             Err(fault) => {
-                self.located(text, field, fault);
+                self.located(text, &field.to_string(), fault);
                 None
             }
         }
+    }
+
+    /// A fault of a text that comes to more than is worked with.
+    fn too_much(&mut self, text: &str, field: &str, value: &Value) {
+        if value.terms() > MOST_TERMS {
+            return self.whole_fault(field, text, "too long a formula", "a shorter one");
+        }
+        if given_angles(value) > MOST_ANGLES {
+            let expected = format!("sines, cosines and tangents of at most {MOST_ANGLES} angles");
+            self.whole_fault(field, text, "too many different angles in one formula", &expected);
+        } else {
+            let expected = format!("at most {MOST_DEPTH} roots, one within another");
+            self.whole_fault(field, text, "too many roots within roots", &expected);
+        }
+        self.help("write what it comes to as a decimal");
     }
 
     /// A fault of evaluation; without a place of its own it is that of the whole text.
@@ -245,14 +250,14 @@ impl Reader<'_> {
         self.help(help);
     }
 
-    fn optional<S: AsRef<str>>(&mut self, text: Option<&S>, field: &str) -> Option<Given> {
+    fn optional<S: AsRef<str>>(&mut self, text: Option<&S>, field: impl Display) -> Option<Given> {
         self.value(text?.as_ref(), field)
     }
 
     /// Two components.
-    fn pair<S: AsRef<str>>(&mut self, [x, y]: &[S; 2], field: &str) -> Option<[Given; 2]> {
-        let x = self.value(x.as_ref(), &format!("{field}[0]"));
-        let y = self.value(y.as_ref(), &format!("{field}[1]"));
+    fn pair<S: AsRef<str>>(&mut self, [x, y]: &[S; 2], field: impl Display) -> Option<[Given; 2]> {
+        let x = self.value(x.as_ref(), format_args!("{field}[0]"));
+        let y = self.value(y.as_ref(), format_args!("{field}[1]"));
         Some([x?, y?])
     }
 
@@ -286,15 +291,15 @@ impl Reader<'_> {
     fn conditions<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Vec<Condition> {
         let mut conditions = Vec::new();
         for (index, condition) in text.conditions.iter().enumerate() {
-            let field = format!("conditions[{index}]");
-            let condition_formula = self.formula(condition.as_ref(), &field);
+            let field = format_args!("conditions[{index}]");
+            let condition_formula = self.formula(condition.as_ref(), field);
             match condition_formula.map(|formula| self.filled(&formula)) {
                 Some(Expr::Relation(left, relation, right)) if relation != Relation::NotEqual => {
                     conditions.push(Condition { left: *left, relation, right: *right });
                 }
                 Some(other) => {
                     self.whole_fault(
-                        &field,
+                        &field.to_string(),
                         condition.as_ref(),
                         "no equation or inequality in",
                         "two quantities with `=`, `<`, `<=`, `>` or `>=` between them",
@@ -324,6 +329,11 @@ fn not_a_letter(text: &str, fault: &Fault) -> Option<String> {
     }
     let unit = UNITS.contains(&name);
     unit.then(|| "leave the unit out: masses are in kg, speeds in m/s, impulses in N s, angles in degrees".to_owned())
+}
+
+/// Is a value more than is worked with?
+fn is_too_much(value: &Value) -> bool {
+    value.terms() > MOST_TERMS || given_angles(value) > MOST_ANGLES || value.depth() > MOST_DEPTH
 }
 
 /// How long a name, of a letter or of an angle in degrees, may be.

@@ -1,5 +1,7 @@
 //! The impacts that come later.
 
+use std::fmt;
+
 use super::Reader;
 use crate::mechanics::Sphere;
 use crate::mechanics::later::{LATER, Meeting, ordinal, row};
@@ -10,6 +12,20 @@ use crate::number::Value;
 
 /// What is known of who has taken part so far: their masses.
 type Bodies = Vec<(Sphere, Option<Given>)>;
+
+/// A field of a later impact.
+#[derive(Clone, Copy)]
+struct Field<'n> {
+    /// Which of the later impacts, the first of them one.
+    number: u8,
+    name: &'n str,
+}
+
+impl fmt::Display for Field<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "then[{}].{}", self.number - 1, self.name)
+    }
+}
 
 impl Reader<'_> {
     /// Every later impact as a scene by itself, with A and B for who meets there.
@@ -96,8 +112,8 @@ impl Reader<'_> {
         first: &Scene,
         bodies: &mut Bodies,
     ) -> Option<Then> {
-        let field = |name: &str| format!("then[{}].{name}", number - 1);
-        let of = self.who_meets(text, &field("of"))?;
+        let field = |name| Field { number, name };
+        let of = self.who_meets(text, field("of"))?;
         let is_new = |sphere: Sphere, bodies: &Bodies| bodies.iter().all(|(known, _)| *known != sphere);
         let new: Vec<Sphere> = of.iter().copied().filter(|sphere| is_new(*sphere, bodies)).collect();
         if new.len() == of.len() {
@@ -105,11 +121,11 @@ impl Reader<'_> {
             let earlier: Vec<String> = bodies.iter().map(|(sphere, _)| format!("`{}`", sphere.name())).collect();
             let label = format!("one must come from an earlier impact: {}", earlier.join(" or "));
             let help = "put the impact before it in, or name the sphere that comes from one";
-            self.misfit(&field("of"), &message, &label, help);
+            self.misfit(&field("of").to_string(), &message, &label, help);
             return None;
         }
-        let mass = self.optional(text.mass.as_ref(), &field("mass"));
-        let before = text.before.as_ref().and_then(|velocity| self.velocity(velocity, &field("before")));
+        let mass = self.optional(text.mass.as_ref(), field("mass"));
+        let before = text.before.as_ref().and_then(|velocity| self.velocity(velocity, field("before")));
         if new.is_empty() && (mass.is_some() || before.is_some()) {
             let name = if mass.is_some() { "mass" } else { "before" };
             let message = format!("`{name}` is given where nobody is new");
@@ -119,7 +135,7 @@ impl Reader<'_> {
                     "both have taken part before: they keep their masses, and come with the velocities that they have by then"
                 }
             };
-            self.misfit(&field(name), &message, label, &format!("leave out `{name}`"));
+            self.misfit(&field(name).to_string(), &message, label, &format!("leave out `{name}`"));
             return None;
         }
         if let [sphere] = new[..] {
@@ -128,13 +144,13 @@ impl Reader<'_> {
             let number = ordinal(number);
             if text.mass.is_none() {
                 let help = format!("add `mass`, such as `\"m{name}\"`");
-                self.misfit(&field("mass"), &format!("the mass of {name} is missing"), &label, &help);
+                self.misfit(&field("mass").to_string(), &format!("the mass of {name} is missing"), &label, &help);
             }
             if text.before.is_none() {
                 let message = format!("the velocity of {name} before the {number} impact is missing");
                 let at_rest = if first.setting == Setting::Direct { "\"0\"" } else { "[\"0\", \"0\"]" };
                 let help = format!("add `before`; if {name} is at rest, it is `{at_rest}`");
-                self.misfit(&field("before"), &message, &label, &help);
+                self.misfit(&field("before").to_string(), &message, &label, &help);
             }
             before.as_ref()?;
         }
@@ -146,7 +162,7 @@ impl Reader<'_> {
             _ if in_a_line => Setting::Direct,
             _ => Setting::Oblique,
         };
-        let contact = self.contact_of_later(text, setting, in_a_line, &field)?;
+        let contact = self.contact_of_later(text, setting, in_a_line, number)?;
         let at_rest = || Some(Velocity::Components(Given::nought(), Given::nought()));
         let is_wall = setting == Setting::Wall;
         let velocity = |sphere: Option<&Sphere>| match sphere {
@@ -161,7 +177,7 @@ impl Reader<'_> {
             after: [None, if is_wall { at_rest() } else { None }],
             contact: Some(contact),
             impulse: None,
-            restitution: self.optional(text.e.as_ref(), &field("e")),
+            restitution: self.optional(text.e.as_ref(), field("e")),
             letters: self.letters.clone(),
             unknowns: Vec::new(),
             conditions: Vec::new(),
@@ -173,7 +189,7 @@ impl Reader<'_> {
     }
 
     /// One or two different spheres.
-    fn who_meets<S: AsRef<str>>(&mut self, text: &ThenText<S>, field: &str) -> Option<Vec<Sphere>> {
+    fn who_meets<S: AsRef<str>>(&mut self, text: &ThenText<S>, field: Field) -> Option<Vec<Sphere>> {
         let named = |name: &S| Sphere::ALL.into_iter().find(|sphere| sphere.name() == name.as_ref());
         let of: Option<Vec<Sphere>> = text.of.iter().map(named).collect();
         let (message, label, help) = match (of.as_deref(), &text.wall) {
@@ -195,7 +211,7 @@ impl Reader<'_> {
                 "write `of = [\"A\", \"B\"]`, or `of = [\"B\"]` with a `wall`",
             ),
         };
-        self.misfit(field, message, label, help);
+        self.misfit(&field.to_string(), message, label, help);
         None
     }
 
@@ -204,8 +220,9 @@ impl Reader<'_> {
         text: &ThenText<S>,
         setting: Setting,
         in_a_line: bool,
-        field: &dyn Fn(&str) -> String,
+        number: u8,
     ) -> Option<Contact> {
+        let field = |name| Field { number, name };
         let unwanted = [
             ("line_of_centres", text.line_of_centres.is_some() && setting != Setting::Oblique),
             ("sense", text.sense.is_some() && setting != Setting::Oblique),
@@ -216,7 +233,12 @@ impl Reader<'_> {
             } else {
                 "the spheres move along one line from the start"
             };
-            self.misfit(&field(name), &format!("`{name}` has no place here"), label, &format!("leave out `{name}`"));
+            self.misfit(
+                &field(name).to_string(),
+                &format!("`{name}` has no place here"),
+                label,
+                &format!("leave out `{name}`"),
+            );
         }
         let (line, name) = match setting {
             Setting::Direct => return Some(Contact::Along(Value::ONE, Value::ZERO, Some(Sense::FromAToB))),
@@ -226,12 +248,12 @@ impl Reader<'_> {
         let Some(line) = line else {
             let label = "two spheres that move in a plane have a line of centres in each of their impacts";
             let help = "add `line_of_centres = [\"x\", \"y\"]`, a vector along it";
-            self.misfit(&field(name), "the line of centres of a later impact is missing", label, help);
+            self.misfit(&field(name).to_string(), "the line of centres of a later impact is missing", label, help);
             return None;
         };
-        let [x, y] = self.pair(line, &field(name))?;
-        let path = format!("{}[1]", field(name));
+        let [x, y] = self.pair(line, field(name))?;
         if x.value.is_zero() && y.value.is_zero() {
+            let path = format!("{}[1]", field(name));
             self.whole_fault(&path, line[1].as_ref(), "the vector nought has no direction:", "a vector");
             return None;
         }
@@ -239,7 +261,7 @@ impl Reader<'_> {
             if !x.value.is_zero() {
                 let label = "a vector along the wall, and the spheres move straight at it";
                 self.misfit(
-                    &field(name),
+                    &field(name).to_string(),
                     "the wall is not across the line of motion",
                     label,
                     "write `wall = [\"0\", \"1\"]`",

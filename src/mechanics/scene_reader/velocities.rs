@@ -1,5 +1,7 @@
 //! The velocities of a scene: along a line, by components, or by size and direction.
 
+use std::fmt::Display;
+
 use super::{Reader, at_most, formulas};
 use crate::expr::{Meaning, degrees, evaluate, print, written};
 use crate::mechanics::scene::{Given, Velocity};
@@ -12,10 +14,8 @@ impl Reader<'_> {
         pair: &Pair<VelocityText<S>>,
         moment: &str,
     ) -> [Option<Velocity>; 2] {
-        [(&pair.a, "A"), (&pair.b, "B")].map(|(velocity, sphere)| {
-            let field = format!("{moment}.{sphere}");
-            self.velocity(velocity.as_ref()?, &field)
-        })
+        [(&pair.a, "A"), (&pair.b, "B")]
+            .map(|(velocity, sphere)| self.velocity(velocity.as_ref()?, format_args!("{moment}.{sphere}")))
     }
 
     /// The components of a vector that was typed as one text, `4i + j`.
@@ -49,14 +49,18 @@ impl Reader<'_> {
         self.help("write the components along i and along j as a list of two texts");
     }
 
-    pub(super) fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
+    pub(super) fn velocity<S: AsRef<str>>(
+        &mut self,
+        text: &VelocityText<S>,
+        field: impl Display + Copy,
+    ) -> Option<Velocity> {
         let polar = match text {
             VelocityText::Along(velocity) => {
-                if self.faults.iter().any(|told| told.field == field) {
+                if !self.faults.is_empty() && self.faults.iter().any(|told| told.field == field.to_string()) {
                     return None;
                 }
                 if let Some(components) = self.vector_in_words(velocity.as_ref()) {
-                    self.vector_in_one_text(velocity.as_ref(), components, field);
+                    self.vector_in_one_text(velocity.as_ref(), components, &field.to_string());
                     return None;
                 }
                 return Some(Velocity::Components(self.value(velocity.as_ref(), field)?, Given::nought()));
@@ -67,7 +71,7 @@ impl Reader<'_> {
             }
             VelocityText::Polar(polar) => polar,
         };
-        let speed = self.value(polar.speed.as_ref(), &format!("{field}.speed"));
+        let speed = self.value(polar.speed.as_ref(), format_args!("{field}.speed"));
         if speed.as_ref().is_some_and(|speed| speed.value.sign().is_some_and(|sign| sign.is_lt())) {
             self.whole_fault(
                 &format!("{field}.speed"),
@@ -79,17 +83,17 @@ impl Reader<'_> {
         }
         match (&polar.angle_deg, &polar.cos, &polar.sin) {
             (Some(angle), None, None) => {
-                let field = format!("{field}.angle_deg");
-                let formula = self.formula(angle.as_ref(), &field)?;
+                let field = format_args!("{field}.angle_deg");
+                let formula = self.formula(angle.as_ref(), field)?;
                 let turn = match degrees(&formula, &|name| self.meaning(name)) {
                     Ok(turn) => turn,
                     Err(fault) => {
-                        self.located(angle.as_ref(), &field, fault);
+                        self.located(angle.as_ref(), &field.to_string(), fault);
                         return None;
                     }
                 };
                 let Some(direction) = turn.direction() else {
-                    self.whole_fault(&field, angle.as_ref(), "too finely given an angle", &at_most());
+                    self.whole_fault(&field.to_string(), angle.as_ref(), "too finely given an angle", &at_most());
                     return None;
                 };
                 let speed = speed?;
@@ -101,8 +105,8 @@ impl Reader<'_> {
                 })
             }
             (None, Some(cos), Some(sin)) => {
-                let cos = self.value(cos.as_ref(), &format!("{field}.cos"));
-                let sin_given = self.value(sin.as_ref(), &format!("{field}.sin"));
+                let cos = self.value(cos.as_ref(), format_args!("{field}.cos"));
+                let sin_given = self.value(sin.as_ref(), format_args!("{field}.sin"));
                 let (speed, cos, sin_value) = (speed?, cos?.value, sin_given?.value);
                 if !(&(&cos * &cos) + &(&sin_value * &sin_value)).equals(&Value::ONE) {
                     let message = "the squares of cosine and sine do not add up to 1 with";
