@@ -3,21 +3,30 @@
 //! The things are products of roots and powers of letters. As a sum of them a value has one form only, so what is linear
 //! in the velocities may be done to the coefficients alone; a nought among them stays an exact nought.
 
-use crate::number::{Fraction, Monomial, Polynomial, Root, Value};
 use std::collections::BTreeMap;
+
+use smallvec::SmallVec;
+
+use crate::number::{Fraction, Monomial, Polynomial, Root, Value};
 
 /// A product of roots and powers of letters.
 pub(super) type Element = (Vec<Root>, Monomial);
 
+/// The coefficients of a value, each with its element.
+pub(super) type Coefficients = SmallVec<[(Element, Fraction); 2]>;
+
 /// The coefficients of a value; `None` if it has a denominator with letters.
-pub(super) fn coefficients(value: &Value) -> Option<Vec<(Element, Fraction)>> {
+pub(super) fn coefficients(value: &Value) -> Option<Coefficients> {
+    let mut coefficients = SmallVec::new();
     if let Value::Rational(number) = value {
-        return Some(if number.is_zero() { Vec::new() } else { vec![(Element::default(), number.clone())] });
+        if !number.is_zero() {
+            coefficients.push((Element::default(), number.clone()));
+        }
+        return Some(coefficients);
     }
     if !value.denominator().is_one() {
         return None;
     }
-    let mut coefficients = Vec::new();
     for (roots, polynomial) in value.numerator_terms() {
         for (monomial, coefficient) in polynomial.terms() {
             coefficients.push(((roots.clone(), monomial.clone()), coefficient.clone()));
@@ -28,10 +37,18 @@ pub(super) fn coefficients(value: &Value) -> Option<Vec<(Element, Fraction)>> {
 
 /// The value with these coefficients.
 pub(super) fn sum<'a>(coefficients: impl Iterator<Item = (&'a Element, Fraction)>) -> Value {
-    let mut terms: BTreeMap<Vec<Root>, Vec<(Monomial, Fraction)>> = BTreeMap::new();
+    let mut terms: BTreeMap<&[Root], Vec<(Monomial, Fraction)>> = BTreeMap::new();
+    let mut rational = Fraction::ZERO;
     for ((roots, monomial), coefficient) in coefficients {
-        terms.entry(roots.clone()).or_default().push((monomial.clone(), coefficient));
+        match roots.is_empty() && monomial.is_empty() {
+            true => rational = &rational + &coefficient,
+            false => terms.entry(roots).or_default().push((monomial.clone(), coefficient)),
+        }
     }
-    let terms = terms.into_iter().map(|(roots, terms)| (roots, Polynomial::from_terms(terms))).collect();
-    Value::build(terms, Polynomial::one())
+    if terms.is_empty() {
+        return Value::from(rational);
+    }
+    terms.entry(&[]).or_default().push((Monomial::new(), rational));
+    let terms = terms.into_iter().map(|(roots, terms)| (roots.to_vec(), Polynomial::from_terms(terms)));
+    Value::build(terms.filter(|(_, terms)| !terms.is_zero()).collect(), Polynomial::one())
 }

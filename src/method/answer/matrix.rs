@@ -13,6 +13,8 @@
 //! `a + b√2 + c√3 + d√6`, on those of cos α and sin α. Every operation is checked; but what is accepted has been shown not
 //! to overflow, by a bound on the largest number that can occur.
 
+use smallvec::{SmallVec, smallvec};
+
 use crate::method::batch::batch;
 use crate::method::elements::{Element, coefficients, sum};
 use crate::method::{Found, Geometry, Impact, Prepared, Skip};
@@ -116,7 +118,7 @@ pub(in crate::method) fn whole<const COUNT: usize>(
     let (masses, _) = over_one_denominator(&proportions.masses).ok_or(Unfit::TooLarge)?;
     let (line, _) = over_one_denominator(&proportions.line).ok_or(Unfit::TooLarge)?;
     let (p, q) = proportions.e.as_small().ok_or(Unfit::TooLarge)?;
-    let mut flat = vec![Fraction::ZERO; 4 * COUNT];
+    let mut flat: SmallVec<[Fraction; 4]> = smallvec![Fraction::ZERO; 4 * COUNT];
     for (component, row) in impact.before.as_flattened().iter().zip(flat.chunks_mut(COUNT)) {
         for (element, coefficient) in coefficients(component).ok_or(Unfit::Velocities)? {
             let place = elements.iter().position(|other| *other == element).ok_or(Unfit::Velocities)?;
@@ -134,7 +136,7 @@ pub(in crate::method) fn whole<const COUNT: usize>(
 }
 
 /// Whole numerators over the least common denominator, common factors taken out of neither.
-fn over_one_denominator(fractions: &[Fraction]) -> Option<(Vec<i64>, i64)> {
+fn over_one_denominator(fractions: &[Fraction]) -> Option<(SmallVec<[i64; 4]>, i64)> {
     let mut below: i64 = 1;
     for fraction in fractions {
         let (_, denominator) = fraction.as_small()?;
@@ -144,7 +146,7 @@ fn over_one_denominator(fractions: &[Fraction]) -> Option<(Vec<i64>, i64)> {
         let (numerator, denominator) = fraction.as_small()?;
         numerator.checked_mul(below / denominator)
     };
-    Some((fractions.iter().map(above).collect::<Option<Vec<i64>>>()?, below))
+    Some((fractions.iter().map(above).collect::<Option<_>>()?, below))
 }
 
 /// The greatest common divisor, its sign left open.

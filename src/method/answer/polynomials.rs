@@ -14,7 +14,7 @@
 //! solved once to see that nothing overflows.
 
 use crate::method::batch::batch;
-use crate::method::elements::coefficients;
+use crate::method::elements::{Coefficients, coefficients};
 use crate::method::needs::geometry_of;
 use crate::method::proportion::proportion;
 use crate::method::{Found, Geometry, Impact, Method, Prepared, Promise, Role, Skip};
@@ -121,7 +121,7 @@ impl Symbols {
     }
 
     /// Polynomials with whole coefficients in proportion to those given, and by what they were multiplied.
-    fn packed<const COUNT: usize>(&mut self, parts: [Parts; COUNT]) -> Option<([Packed; COUNT], i64)> {
+    fn packed<const COUNT: usize>(&mut self, parts: [Coefficients; COUNT]) -> Option<([Packed; COUNT], i64)> {
         let mut below = 1_i64;
         for (_, coefficient) in parts.iter().flatten() {
             let (_, denominator) = coefficient.as_small()?;
@@ -167,15 +167,12 @@ impl Symbols {
     }
 }
 
-/// Products of roots and of powers of letters, with their coefficients.
-type Parts = Vec<((Vec<Root>, Monomial), Fraction)>;
-
-fn parts(polynomial: &Polynomial) -> Parts {
+fn parts(polynomial: &Polynomial) -> Coefficients {
     polynomial.terms().iter().map(|(letters, number)| ((Vec::new(), letters.clone()), number.clone())).collect()
 }
 
 /// Polynomials in the ratio of two values; `None` if it has a root.
-fn ratio(pair: &[Value; 2]) -> Option<[Parts; 2]> {
+fn ratio(pair: &[Value; 2]) -> Option<[Coefficients; 2]> {
     if let Some(fractions) = proportion(pair) {
         return Some(fractions.map(|number| parts(&Polynomial::constant(number))));
     }
