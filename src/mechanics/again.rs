@@ -52,10 +52,13 @@ pub(super) struct Order {
     places: Quantities<usize>,
     /// What each step needs.
     needs: Vec<Set>,
-    /// Of what each step gives the places, where it is entered: not what was given, or what an earlier step gave.
-    gives: Vec<Vec<Option<usize>>>,
+    /// Of what each step gives the places, where it is entered: not what was given, or what an earlier step gave. First that
+    /// among all that is known here, then that among all quantities.
+    gives: Vec<Vec<Option<(usize, usize)>>>,
     /// All that some step gives and that another needs, or that was asked.
     of_use: Set,
+    /// Of each slip, by its place in [`Slip::all`]: may it take the place of a law at some step?
+    slips: Vec<bool>,
 }
 
 /// A set of steps or of quantities, by their places. Of so many that they do not fit the last share a place.
@@ -126,7 +129,7 @@ impl Order {
                 let place = places.len();
                 let is_new = !places.contains_key(quantity);
                 places.insert_new(*quantity, place);
-                is_new.then_some(place)
+                is_new.then_some((place, quantity.place()))
             };
             gives.push(step.gives.iter().map(&mut new).collect());
         }
@@ -136,7 +139,9 @@ impl Order {
         let given = derivation.steps.iter().fold(Set::default(), |given, step| Set(given.0 | all(&step.gives).0));
         let needed = derivation.steps.iter().fold(all(asked), |needed, step| Set(needed.0 | all(&step.needs).0));
         let of_use = Set(given.0 & needed.0);
-        Order { places, needs, gives, of_use }
+        let is_at = |made: MadeSlip| derivation.steps.iter().any(|step| made.is_at(step));
+        let slips = Slip::all().iter().map(|owned| is_at(MadeSlip::everywhere(*owned))).collect();
+        Order { places, needs, gives, of_use, slips }
     }
 }
 
@@ -190,9 +195,9 @@ impl<N: Number + PartialEq> Carried<N> {
         self.order.of_use.meets(trace.changed)
     }
 
-    /// May the slip take the place of a law at some step?
-    pub fn has_law_of(&self, (owner, slip): (Law, &Slip)) -> bool {
-        self.plan.derivation.steps.iter().any(|step| step.law == owner || slip.also.contains(&step.law))
+    /// May a slip, by its place in [`Slip::all`], take the place of a law at some step?
+    pub fn has_law_of(&self, slip: usize) -> bool {
+        self.order.slips[slip]
     }
 
     /// The impacts at which it has a law that the slip may take the place of, each once.
@@ -236,8 +241,8 @@ impl<N: Number + PartialEq> Carried<N> {
             let mut found = found.unwrap_or_default().into_iter();
             for (quantity, entered) in step.gives.iter().zip(&self.order.gives[place]) {
                 let datum = found.next();
-                let Some(entered) = entered.filter(|entered| !kept.has(*entered)) else { continue };
-                let old = match (self.known.0.get_mut(quantity), datum) {
+                let Some((entered, place)) = entered.filter(|(entered, _)| !kept.has(*entered)) else { continue };
+                let old = match (self.known.0.at_mut(place), datum) {
                     (Some(old), Some(datum)) if *old != datum => Some(std::mem::replace(old, datum)),
                     (Some(_), None) => self.known.0.remove(quantity),
                     (None, Some(datum)) => self.known.0.insert(*quantity, datum),

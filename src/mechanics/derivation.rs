@@ -7,6 +7,8 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use smallvec::SmallVec;
+
 use super::later::Meeting;
 use super::law::{Datum, Known, Outcome, Rule, all_rules};
 use super::plan::Plan;
@@ -118,9 +120,10 @@ impl Derivation {
     pub fn evaluate_with<N: Number>(&self, computed: &Known<N>, known: &mut Known<N>) -> Result<(), DeadEnd> {
         known.0.reserve(self.steps.iter().map(|step| step.gives.len()).sum());
         for (place, step) in self.steps.iter().enumerate() {
-            if step.gives.iter().all(|quantity| computed.0.contains_key(quantity)) {
-                let there = step.gives.iter().filter_map(|quantity| computed.0.get(quantity));
-                enter(step, there.cloned(), known);
+            let there: SmallVec<[&Datum<N>; 2]> =
+                step.gives.iter().map_while(|quantity| computed.0.get(quantity)).collect();
+            if there.len() == step.gives.len() {
+                enter(step, there.into_iter().cloned(), known);
                 continue;
             }
             let Some(found) = step.evaluate(known) else { return Err(DeadEnd(place)) };

@@ -64,9 +64,9 @@ impl<T> Quantities<T> {
         self.entry(quantity.place()).map(|entry| &self.entries[entry].1)
     }
 
-    /// The same, to be changed.
-    pub fn get_mut(&mut self, quantity: &Quantity) -> Option<&mut T> {
-        self.entry(quantity.place()).map(|entry| &mut self.entries[entry].1)
+    /// What there is about the quantity of a place, to be changed.
+    pub(super) fn at_mut(&mut self, place: usize) -> Option<&mut T> {
+        self.entry(place).map(|entry| &mut self.entries[entry].1)
     }
 
     /// Is there anything about a quantity?

@@ -19,13 +19,15 @@ pub(super) struct AnswerPath {
 }
 
 /// What must be known before the impact: masses, e, and the components.
-fn before() -> Vec<Quantity> {
-    let mut asked = vec![Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B), Quantity::Restitution];
-    for sphere in Sphere::BOTH {
-        asked.extend([Axis::N, Axis::T].map(|axis| Quantity::Velocity(sphere, Moment::Before, axis)));
-    }
-    asked
-}
+const BEFORE: [Quantity; 7] = [
+    Quantity::Mass(Sphere::A),
+    Quantity::Mass(Sphere::B),
+    Quantity::Restitution,
+    Quantity::Velocity(Sphere::A, Moment::Before, Axis::N),
+    Quantity::Velocity(Sphere::A, Moment::Before, Axis::T),
+    Quantity::Velocity(Sphere::B, Moment::Before, Axis::N),
+    Quantity::Velocity(Sphere::B, Moment::Before, Axis::T),
+];
 
 /// The components after the impact, if all that it starts from follows from what is given. Where a velocity after is
 /// given as well, the steps themselves must say whether the two agree. Some of what follows may have been derived already.
@@ -42,7 +44,7 @@ pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Optio
         return None;
     }
     let mut computed = given.clone();
-    Derivation::carry_out_with(&mut computed, derived, &before());
+    Derivation::carry_out_with(&mut computed, derived, &BEFORE);
     let impact = impact(&computed)?;
     let selection = Selection::of(&impact, Wanted::ExactForm);
     let Found::Exact(after) = selection.solve(&impact) else { return None };
@@ -54,7 +56,7 @@ pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Optio
 
 /// The impact in the axes of the line of centres.
 pub(super) fn impact(known: &Known<Value>) -> Option<Impact<Value>> {
-    let [m_a, m_b, e, a_n, a_t, b_n, b_t] = known.numbers(before().try_into().ok()?)?;
+    let [m_a, m_b, e, a_n, a_t, b_n, b_t] = known.numbers(BEFORE)?;
     Some(Impact {
         masses: [m_a, m_b],
         before: [[a_n, a_t], [b_n, b_t]],

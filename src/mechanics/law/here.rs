@@ -28,11 +28,16 @@ impl<'k, N: Number> Here<'k, N> {
         Here { known: self.known, meeting: self.meeting, instead }
     }
 
+    #[inline]
     fn datum(&self, quantity: Quantity) -> Option<&'k Datum<N>> {
+        if self.meeting.number == 0 {
+            return self.known.0.get(&quantity);
+        }
         self.known.0.get(&self.meeting.quantity(quantity))
     }
 
     /// A quantity that is a number.
+    #[inline]
     pub fn number(&self, quantity: Quantity) -> Option<N> {
         if let Some((_, number)) = self.instead.iter().find(|(other, _)| *other == quantity) {
             return Some(number.clone());
