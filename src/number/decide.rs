@@ -139,18 +139,30 @@ fn by_letters(terms: &Terms) -> BTreeMap<(Vec<Root>, Monomial), Value> {
 fn common_sign(terms: &Terms) -> Option<Ordering> {
     let terms = without_units(terms);
     let mut common = Ordering::Equal;
-    for ((_, monomial), coefficient) in by_letters(&terms) {
+    let mut shares = |monomial: &Monomial, sign: Ordering| {
         let even = |(letter, power): &(Letter, u32)| letter.range() != Range::Real || power % 2 == 0;
-        let sign = constant_sign(&coefficient)?;
         if sign.is_eq() {
-            continue;
+            return true;
         }
-        if !monomial.iter().all(even) || (common.is_ne() && common != sign) {
-            return None;
-        }
+        let is_shared = monomial.iter().all(even) && (common.is_eq() || common == sign);
         common = sign;
-    }
-    Some(common)
+        is_shared
+    };
+    let all = match without_roots(&terms) {
+        Some(terms) => terms.iter().all(|(monomial, number)| shares(monomial, number.sign())),
+        None => by_letters(&terms)
+            .iter()
+            .all(|((_, monomial), coefficient)| constant_sign(coefficient).is_some_and(|sign| shares(monomial, sign))),
+    };
+    all.then_some(common)
+}
+
+/// The terms of a polynomial in letters alone, without roots and without what is given as a number of degrees.
+fn without_roots(terms: &Terms) -> Option<&[(Monomial, Fraction)]> {
+    let (roots, polynomial) = terms.first()?;
+    let mut letters = polynomial.terms().iter().flat_map(|(monomial, _)| monomial);
+    let is_plain = terms.len() == 1 && roots.is_empty() && letters.all(|(letter, _)| !letter.is_constant());
+    is_plain.then(|| polynomial.terms())
 }
 
 /// The terms times a positive factor, each coefficient of restitution `e` written as `1/(1+x)`.

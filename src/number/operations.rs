@@ -171,7 +171,11 @@ impl Value {
         if !self.has_letter(|own| *own == letter) {
             return Some(self.clone());
         }
+        let number = replacement.as_fraction();
         let at = |polynomial: &Polynomial| -> Value {
+            if let Some(number) = number {
+                return Value::quotient(polynomial.with(letter, number), Polynomial::one());
+            }
             // Horner's scheme, so that the replacement is multiplied as seldom as possible.
             polynomial.coefficients(letter).iter().rev().fold(Value::ZERO, |sum, coefficient| {
                 &(&sum * replacement) + &Value::quotient(coefficient.clone(), Polynomial::one())

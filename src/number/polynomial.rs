@@ -145,6 +145,15 @@ impl Polynomial {
         Polynomial::from_terms(shifted)
     }
 
+    /// The polynomial with a number in place of a letter.
+    pub(crate) fn with(&self, letter: Letter, number: &Fraction) -> Polynomial {
+        Polynomial::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
+            let rest = monomial.iter().filter(|(other, _)| *other != letter).copied().collect();
+            let powers = 0..exponent(monomial, letter);
+            (rest, powers.fold(coefficient.clone(), |product, _| &product * number))
+        }))
+    }
+
     /// The rate of change with a letter.
     pub fn derivative(&self, letter: Letter) -> Polynomial {
         let coefficients = self.coefficients(letter);
