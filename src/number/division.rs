@@ -110,6 +110,9 @@ impl Polynomial {
     /// Pairwise coprime factors without repeated factors, each with its power, and the number that
     /// is left over: `self = number * product of factor^power`.
     pub fn square_free(&self) -> (Fraction, Vec<(Polynomial, u32)>) {
+        if let Some(scale) = scale_of_linear(self) {
+            return (scale, vec![(self.primitive(), 1)]);
+        }
         let mut factors = Vec::new();
         let mut rest = self.clone();
         let shared = shared_monomial([self]);
@@ -128,6 +131,16 @@ impl Polynomial {
             rest = content.scaled(&scale);
         }
         (rest.as_constant().expect("no letter is left"), factors)
+    }
+}
+
+/// Of what is linear in its one letter, as `4e - 6`, by what its primitive part, which has no factors, is multiplied.
+fn scale_of_linear(polynomial: &Polynomial) -> Option<Fraction> {
+    match polynomial.terms() {
+        [(none, _), (one, coefficient)] if none.is_empty() && matches!(one[..], [(_, 1)]) => {
+            Some(coefficient / &polynomial.primitive().terms().last()?.1)
+        }
+        _ => None,
     }
 }
 
@@ -197,13 +210,30 @@ mod tests {
     fn repeated_factors_are_told_apart() {
         let (a, b) = (letter("a"), letter("b"));
         let polynomial = (&(&(&a + &b).power(2) * &(&a - &number(1))) * &a.power(3)).scaled(&Fraction::new(-5, 2));
-        let (number, factors) = polynomial.square_free();
-        let mut back = Polynomial::constant(number);
-        for (factor, power) in &factors {
-            back = &back * &factor.power(*power);
-        }
-        assert_eq!(back, polynomial);
+        let factors = parted(&polynomial);
         assert!(factors.contains(&(&a + &b, 2)), "{factors:?}");
         assert!(factors.contains(&(a, 3)), "{factors:?}");
+    }
+
+    /// The factors, which multiply up to the polynomial.
+    fn parted(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
+        let (number, factors) = polynomial.square_free();
+        let product = factors
+            .iter()
+            .fold(Polynomial::constant(number), |product, (factor, power)| &product * &factor.power(*power));
+        assert_eq!(&product, polynomial);
+        factors
+    }
+
+    #[test]
+    fn what_is_linear_in_one_letter_is_one_factor_in_lowest_terms() {
+        let (a, b) = (letter("a"), letter("b"));
+        let lowest = &a.scaled(&Fraction::from(2)) - &number(3);
+        for scale in [Fraction::from(2), Fraction::new(-1, 5), Fraction::ONE] {
+            assert_eq!(parted(&lowest.scaled(&scale)), [(lowest.clone(), 1)], "{scale}");
+        }
+        assert_eq!(parted(&a.scaled(&Fraction::from(-6))), [(a.clone(), 1)]);
+        assert_eq!(parted(&(&a + &b)), [(&a + &b, 1)]);
+        assert_eq!(parted(&number(7)), []);
     }
 }

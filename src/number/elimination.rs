@@ -24,11 +24,14 @@ fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>
             if cleared.iter().any(|equation| equation.is_constant() && !equation.is_zero()) {
                 return Err(NoRoots::Never);
             }
-            let equation = cleared
-                .iter()
-                .filter(|equation| equation.has_letter(|own| own == unknown))
-                .min_by_key(|equation| coefficients(equation, *unknown).len())
-                .ok_or(NoRoots::Always)?;
+            let open: Vec<&Value> =
+                cleared.iter().filter(|equation| equation.has_letter(|own| own == unknown)).collect();
+            let equation = match open.as_slice() {
+                [only] => only,
+                all => {
+                    all.iter().min_by_key(|equation| coefficients(equation, *unknown).len()).ok_or(NoRoots::Always)?
+                }
+            };
             Ok(roots_of(equation, *unknown)?.into_iter().map(|root| vec![root]).collect())
         }
         _ => several(equations, unknowns),
