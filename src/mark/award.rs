@@ -90,6 +90,8 @@ pub(super) enum Ground {
     Depends,
     /// Right beside working that comes to another value.
     Contradicted,
+    /// Right beside working that ends with a number that may be another value for it.
+    EndsElsewhere,
 }
 
 impl Ground {
@@ -101,6 +103,7 @@ impl Ground {
             Ground::NotShown => "not-shown",
             Ground::Depends => "depends",
             Ground::Contradicted => "contradicted",
+            Ground::EndsElsewhere => "ends-elsewhere",
         }
     }
 }

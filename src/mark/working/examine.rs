@@ -3,6 +3,7 @@
 use super::numbers::{Context, Spread, Sum, sizes, sum};
 use std::rc::Rc;
 
+use super::denied::End;
 use super::equations::{BOTH, ByNumbers, Convention, Departure, Matched, Misread, shows_e, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
@@ -53,6 +54,8 @@ pub(crate) struct Examined {
     pub(crate) denied: Vec<bool>,
     /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity after the impact?
     pub(crate) denies_velocities: [bool; 2],
+    /// The number without a name with which the lines end.
+    pub(crate) end: Option<End>,
 }
 
 /// Of the letters for the velocities of A and B, is it that of the other sphere?
@@ -214,7 +217,7 @@ fn examine_lines(
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
-    let denied = working.denied_by_lines();
+    let (denied, end) = (working.denied_by_lines(), working.end());
     let finds_exactly = working.finds_exactly();
     let denies_velocities = working.denies_velocities();
     let denies_what_is_found = working.denies_what_is_found();
@@ -251,6 +254,7 @@ fn examine_lines(
         denies_what_is_found,
         denied,
         denies_velocities,
+        end,
     }
 }
 
@@ -311,7 +315,11 @@ impl Working<'_> {
             (EarnedFor::Law(law, _), code) if law.seen() == Seen::Equation && self.uses_pair(*law) => {
                 let terms = || self.energy_kept(*law).or_else(|| self.by_terms(*law, code));
                 match self.pair_equation(*law, code) {
-                    Some(shown) if !shown.given => terms().filter(|found| found.given).or(Some(shown)),
+                    Some(shown) if !shown.given => {
+                        // Where the terms show the method and the form does not, they say what is wrong as well.
+                        let is_better = |found: &Shown| found.given || code.is_accuracy() && !self.is_method_seen(*law);
+                        terms().filter(is_better).or(Some(shown))
+                    }
                     shown => shown.or_else(terms),
                 }
             }
@@ -334,7 +342,9 @@ impl Working<'_> {
         }?;
         let studied = &mut self.lines[shown.line];
         let reading = studied.reading.as_ref().map(|reading| reading.printed.clone()).unwrap_or_default();
-        if studied.role.is_empty() {
+        // What a line might be by its form, wrong in its method, is not what it is by its terms.
+        let is_by_form = studied.matched.iter().any(Matched::is_method) || !shown.given;
+        if studied.role.is_empty() || !studied.matched.is_empty() && !is_by_form {
             studied.role = shown.role.clone();
         }
         Some(Award {
@@ -354,6 +364,12 @@ impl Working<'_> {
         let mut steps = self.part.derivation.steps.iter().filter(|step| step.law == law);
         steps.any(|step| step.gives.iter().any(|gives| BOTH.contains(gives)))
             || (self.prepared.laws.is_some() && !self.prepared.given[0].0.contains_key(&given))
+    }
+
+    /// Is a line by its form one of the two equations as far as its method goes?
+    fn is_method_seen(&self, law: Law) -> bool {
+        let mut matched = self.lines.iter().flat_map(|studied| &studied.matched);
+        matched.any(|matched| law.gives(matched.equation) && matched.is_method())
     }
 
     /// A mark for one of the two equations.

@@ -46,9 +46,11 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
             later.keep_of(meeting.number, &about);
             all.lose_condition_on_other(question, part, meeting, &later);
             let denied = (later.denied.clone(), later.denies_velocities);
+            let end = later.end.take();
             all.join(later);
             if is_only {
                 (all.denied, all.denies_velocities) = denied;
+                all.end = end;
             }
         }
     }
@@ -165,6 +167,7 @@ impl Examined {
             denies_what_is_found: false,
             denied: Vec::new(),
             denies_velocities: [false; 2],
+            end: None,
         }
     }
 
@@ -316,7 +319,7 @@ impl Examined {
         self.turns.extend(later.turns);
         self.denies_what_is_found &= later.denies_what_is_found;
         self.denied.clear();
-        self.denies_velocities = [false; 2];
+        (self.denies_velocities, self.end) = ([false; 2], None);
         // Each impact has an e of its own.
         self.has_e = [self.has_e, later.has_e].into_iter().flatten().reduce(|one, other| one && other);
         (self.followed, self.solution, self.letters) = (None, None, None);

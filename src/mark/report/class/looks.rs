@@ -3,7 +3,8 @@
 
 use super::entries::Class;
 use crate::bank::Code;
-use crate::mark::judging::Verdict;
+use crate::mark::award::Ground;
+use crate::mark::judging::{Judgement, Verdict};
 use crate::mark::report::{MarkedScript, MarkedUnder};
 use crate::mark::working::{MOST_LINES, PRINTED_RESULT};
 use crate::mark::{Award, MarkedLine, MarkedPart};
@@ -42,7 +43,7 @@ fn of_script<'r>(student: usize, script: &'r MarkedScript<'r>) -> impl Iterator<
             typed: typed.to_owned(),
             reason: reason.to_owned(),
         };
-        let answers = part.marked.answers.iter().filter(|answer| answer.judgement.verdict == Verdict::Unreadable);
+        let answers = part.marked.answers.iter().filter(|answer| is_for_a_person(&answer.judgement));
         // An answer to all blanks together is one answer.
         let answers = answers.take(if part.named { usize::MAX } else { 1 }).map(move |answer| {
             let place = if part.named { answer.name.clone() } else { String::new() };
@@ -65,6 +66,11 @@ fn of_script<'r>(student: usize, script: &'r MarkedScript<'r>) -> impl Iterator<
         });
         answers.chain(lines).chain(other_way)
     })
+}
+
+/// One that cannot be read, or that is right beside working that ends with another number.
+fn is_for_a_person(judgement: &Judgement) -> bool {
+    judgement.verdict == Verdict::Unreadable || judgement.note == Some(Ground::EndsElsewhere.tag())
 }
 
 /// The first line that was read and plays no part, where the working ends with what is to be shown, no line of it is false, and

@@ -11,7 +11,7 @@ use crate::mechanics::{Datum, Known, Quantity};
 use crate::number;
 
 /// What a blank asks for, at every point.
-enum Wanted {
+pub(super) enum Wanted {
     Number { right: Vec<f64>, is_angle: bool },
     Vector(Vec<f64>, Vec<f64>),
 }
@@ -61,7 +61,7 @@ impl Working<'_> {
     }
 
     /// Where a letter was to be found, what was asked is known there alone.
-    fn wanted(&self, find: &Find) -> Option<Wanted> {
+    pub(super) fn wanted(&self, find: &Find) -> Option<Wanted> {
         let found = self.prepared.all_where_found().unwrap_or_default();
         let at = if found.is_empty() { self.prepared.known.as_slice() } else { found.as_slice() };
         let known = |quantity: Quantity| sizes(at, quantity);
@@ -74,7 +74,10 @@ impl Working<'_> {
         }
     }
 
-    fn members_that_are<'s>(&'s self, wanted: &'s Wanted) -> impl Iterator<Item = (&'s Studied, &'s Member)> {
+    pub(super) fn members_that_are<'s>(
+        &'s self,
+        wanted: &'s Wanted,
+    ) -> impl Iterator<Item = (&'s Studied, &'s Member)> {
         let all = self.lines.iter().flat_map(|studied| self.members(studied).map(move |one| (studied, one)));
         all.filter(|(_, (_, values))| wanted.is(values)).map(|(studied, (member, _))| (studied, member))
     }
@@ -96,16 +99,21 @@ impl Working<'_> {
 
     /// The formulas to which a member is set equal by its line, and by those before that the line goes on from.
     fn formulas_before(&self, studied: &Studied, member: &Member) -> Vec<Formula> {
-        let mut found = Vec::new();
-        let Some(reading) = &studied.reading else { return found };
         let formula = |other: &Member| {
             let values = self.in_given_names(&other.expr).filter(|_| is_unfinished(&other.expr));
             let is_square = |inner: &Expr| matches!(inner, Expr::Power(..) | Expr::Call(Function::Sqrt, _));
             let (length, has_square) = (leaves(&other.expr), any_within(&other.expr, &is_square));
             values.map(|values| Formula { values, length, has_square })
         };
+        self.members_before(studied, member).into_iter().filter_map(formula).collect()
+    }
+
+    /// All to which a member is set equal by its line, and by those before that the line goes on from.
+    pub(super) fn members_before<'s>(&'s self, studied: &'s Studied, member: &Member) -> Vec<&'s Member> {
+        let mut found = Vec::new();
+        let Some(reading) = &studied.reading else { return found };
         let before = reading.members.iter().take_while(|other| !std::ptr::eq(*other, member));
-        found.extend(before.filter(|other| other.statement == member.statement).filter_map(formula));
+        found.extend(before.filter(|other| other.statement == member.statement));
         let place = self.lines.iter().position(|other| std::ptr::eq(other, studied)).unwrap_or_default();
         let goes_on = |studied: &Studied| studied.line.typed.trim_start().starts_with('=');
         if member.statement > 0 || !goes_on(studied) {
@@ -114,7 +122,7 @@ impl Working<'_> {
         for other in self.lines[..place].iter().rev() {
             let members = other.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
             let last = members.last().map(|last| last.statement);
-            found.extend(members.iter().filter(|other| Some(other.statement) == last).filter_map(formula));
+            found.extend(members.iter().filter(|other| Some(other.statement) == last));
             if !goes_on(other) {
                 break;
             }

@@ -1,8 +1,11 @@
 //! Right values that a student's own working denies: they have not come from there.
 
+mod at_the_end;
 mod by_equations;
 mod by_laws;
 mod by_line;
+
+pub(crate) use at_the_end::End;
 
 use crate::expr::{Expr, Function};
 use crate::mark::working::examine::Value;
