@@ -244,3 +244,31 @@ fn a_line_of_another_way_to_what_is_to_be_shown_is_for_a_person() {
     assert!(said.contains("this line plays no part in what was found of it"), "{said}");
     assert_eq!(report.matches("plays no part").count(), 1);
 }
+
+#[test]
+fn a_chain_to_what_is_to_be_shown_with_no_law_written_out_is_for_a_person() {
+    let folder = folder("chain");
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let questions = key["questions"].as_array().unwrap();
+    let turned =
+        questions.iter().find(|question| question["id"] == "rest-letters/turned-through-a-right-angle").unwrap();
+    let row = |student: &str, working: &str| format!("{student},{},,,tan²θ = (2e-1)/3,{working}\n", turned["number"]);
+    let whole = "cotθ = 3v sinθ/(v cosθ(2e-1)) = 3tanθ/(2e-1) so tan²θ = (2e-1)/3";
+    let rows = [HEAD, &row("S1", whole), &row("S2", "tan²θ = (2e-1)/3")].concat();
+    mark(&folder, &rows, &[]);
+    let report = read(&folder, "report.html");
+    assert_eq!(report.matches("not all of its steps were found in this line").count(), 1, "{report}");
+}
+
+#[test]
+fn a_right_answer_beside_working_that_ends_with_another_number_is_for_a_person() {
+    let folder = folder("ends-elsewhere");
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let questions = key["questions"].as_array().unwrap();
+    let rest = questions.iter().find(|question| question["id"] == "rest/speeds-and-directions").unwrap();
+    let row = |student: &str, working: &str| format!("{student},{},,speed of A,2.78,{working}\n", rest["number"]);
+    let rows = [HEAD, &row("S1", "√(1.92² + 2²) = 2.4"), &row("S2", "√(1.92² + 2²) = 2.77")].concat();
+    mark(&folder, &rows, &[]);
+    let report = read(&folder, "report.html");
+    assert_eq!(report.matches("your working ends with another number").count(), 1, "{report}");
+}

@@ -117,7 +117,8 @@ fn as_printed(
     let mut marked = Vec::new();
     let mut misread = None;
     for part in &question.parts {
-        let handed_in = together(script, &part.label);
+        let mut handed_in = together(script, &part.label);
+        take_derivation(part, &mut handed_in);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
         last_word::contradict(part, &handed_in, &examined, &mut answers);
@@ -207,6 +208,19 @@ fn together(script: &Script, label: &str) -> PartScript {
         all.working.extend(part.working.iter().cloned());
     }
     all
+}
+
+/// What leads to a result that is to be shown is working, though it was typed in the place of the result: a chain, or several
+/// steps.
+fn take_derivation(part: &KeyedPart, handed_in: &mut PartScript) {
+    let shown = || part.blanks.iter().filter(|blank| answers::is_shown(blank));
+    let is_of_shown = |name: &Option<String>| {
+        shown().any(|blank| name.as_deref().is_none_or(|name| answers::is_name_of(name, &blank.name)))
+    };
+    let is_derivation = |typed: &str| typed.matches('=').count() > 1;
+    let derivations = handed_in.answers.iter().filter(|(name, typed)| is_of_shown(name) && is_derivation(typed));
+    let derivations: Vec<String> = derivations.map(|(_, typed)| typed.clone()).collect();
+    handed_in.working.extend(derivations);
 }
 
 #[cfg(test)]

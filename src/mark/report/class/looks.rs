@@ -3,10 +3,10 @@
 
 use super::entries::Class;
 use crate::bank::Code;
-use crate::mark::award::Ground;
+use crate::mark::award::{Evidence, Ground, Place};
 use crate::mark::judging::{Judgement, Verdict};
 use crate::mark::report::{MarkedScript, MarkedUnder};
-use crate::mark::working::{MOST_LINES, PRINTED_RESULT};
+use crate::mark::working::MOST_LINES;
 use crate::mark::{Award, MarkedLine, MarkedPart};
 
 /// What a person must look at.
@@ -59,10 +59,12 @@ fn of_script<'r>(student: usize, script: &'r MarkedScript<'r>) -> impl Iterator<
             };
             look(format!("line {number}"), &line.typed, &reason)
         });
-        let other_way = line_of_another_way(&part.marked).map(move |(number, line)| {
-            let reason =
-                "The working ends with what is to be shown, and this line plays no part in what was found of it.";
-            look(format!("line {number}"), &line.typed, reason)
+        let other_way = line_of_another_way(&part.marked)
+            .map(|found| (found, "and this line plays no part in what was found of it"))
+            .or_else(|| Some((chain_to_result(&part.marked)?, "and not all of its steps were found in this line")));
+        let other_way = other_way.map(move |((number, line), why)| {
+            let reason = format!("The working ends with what is to be shown, {why}.");
+            look(format!("line {number}"), &line.typed, &reason)
         });
         answers.chain(lines).chain(other_way)
     })
@@ -73,17 +75,29 @@ fn is_for_a_person(judgement: &Judgement) -> bool {
     judgement.verdict == Verdict::Unreadable || judgement.note == Some(Ground::EndsElsewhere.tag())
 }
 
-/// The first line that was read and plays no part, where the working ends with what is to be shown, no line of it is false, and
-/// marks are missing: it may be a step of another way.
-fn line_of_another_way(part: &MarkedPart) -> Option<(usize, &MarkedLine)> {
-    let result = part.awards.iter().find(|award| award.code == Code::A1Shown)?;
-    let awards = || part.awards.iter();
+/// Does the working end with what is to be shown, with no line of it false, and are marks missing that no mistake has cost?
+fn is_result_open(part: &MarkedPart) -> bool {
+    let is_result = |award: &&Award| award.code == Code::A1Shown;
+    let of_line = |award: &Award| matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. }));
+    let ends = part.found.iter().find(is_result).is_some_and(|award| award.given && of_line(award));
     // What was lost for a mistake is no other way.
     let is_silent = |award: &Award| award.given || award.evidence.is_none() || award.falls_with_another();
-    let ends = part.lines.last().is_some_and(|line| line.role == PRINTED_RESULT);
-    let is_open = !result.given && ends && awards().filter(|award| award.code != Code::A1Shown).all(is_silent);
+    let is_lost = part.awards.iter().find(is_result).is_some_and(|award| !award.given);
+    ends && is_lost && part.awards.iter().filter(|award| !is_result(award)).all(is_silent)
+}
+
+/// The first line that was read and plays no part, where the working ends with what is to be shown and marks are missing: it may
+/// be a step of another way.
+fn line_of_another_way(part: &MarkedPart) -> Option<(usize, &MarkedLine)> {
     let mut lines = (1..).zip(&part.lines).filter(|(_, line)| line.reading.is_some() && line.role.is_empty());
-    lines.find(|(_, line)| is_open && line.typed.contains(['=', '<', '>', '≤', '≥', '∝']))
+    lines.find(|(_, line)| is_result_open(part) && line.typed.contains(['=', '<', '>', '≤', '≥', '∝']))
+}
+
+/// The last line that is a chain of equals signs, where the working ends with what is to be shown and marks are missing: the
+/// whole derivation may stand in it, with no law written out.
+fn chain_to_result(part: &MarkedPart) -> Option<(usize, &MarkedLine)> {
+    let mut lines = part.lines.iter().enumerate().map(|(place, line)| (place + 1, line)).rev();
+    lines.find(|(_, line)| is_result_open(part) && line.typed.matches('=').count() > 1)
 }
 
 fn is_full(part: &MarkedUnder) -> bool {

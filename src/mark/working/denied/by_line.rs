@@ -115,15 +115,14 @@ impl Working<'_> {
         let before = reading.members.iter().take_while(|other| !std::ptr::eq(*other, member));
         found.extend(before.filter(|other| other.statement == member.statement));
         let place = self.lines.iter().position(|other| std::ptr::eq(other, studied)).unwrap_or_default();
-        let goes_on = |studied: &Studied| studied.line.typed.trim_start().starts_with('=');
-        if member.statement > 0 || !goes_on(studied) {
+        if member.statement > 0 || !studied.line.goes_on() {
             return found;
         }
         for other in self.lines[..place].iter().rev() {
             let members = other.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
             let last = members.last().map(|last| last.statement);
             found.extend(members.iter().filter(|other| Some(other.statement) == last));
-            if !goes_on(other) {
+            if !other.line.goes_on() {
                 break;
             }
         }

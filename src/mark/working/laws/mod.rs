@@ -29,7 +29,6 @@ pub(super) use cleared::is_of_deflection;
 pub(super) use energies::ToBeSubtracted;
 pub(super) use impulse::is_worked;
 pub(super) use own_speed::multiple;
-pub(in crate::mark) use printed::PRINTED_RESULT;
 pub(super) use printed::{Spot, Truth, leaves};
 pub(super) use shapes::are_bare;
 pub(super) use values::along_for;

@@ -51,7 +51,7 @@ impl Working<'_> {
                 return Some(Evidence::given(place, law.name()));
             }
             // What goes on from an equation for something else is not the velocity either.
-            let is_continued = studied.line.typed.starts_with('=');
+            let is_continued = studied.line.goes_on();
             if !is_continued || goes_on {
                 let ends = self.unnamed_vector(studied, of);
                 goes_on = ends.is_some();

@@ -13,7 +13,7 @@ use crate::mark::working::evidence::Evidence;
 use crate::mark::working::lines::ReadLine;
 
 /// The role of a line that ends the working with what is to be shown.
-pub(in crate::mark) const PRINTED_RESULT: &str = "the result as it is printed";
+const PRINTED_RESULT: &str = "the result as it is printed";
 
 /// Where equations are looked at: what letters and names stand for at one point.
 pub(in crate::mark::working) struct Spot {
@@ -121,12 +121,12 @@ impl Working<'_> {
         let Some(mut end) = end(last) else { return false };
         // What `= 9 tan α/4` goes on from says what it is.
         let begins = |place: &usize| {
-            let typed = self.lines[*place].line.typed.trim_start();
-            !typed.starts_with('=') && !is_remark(typed)
+            let line = &self.lines[*place].line;
+            !line.goes_on() && !is_remark(line.typed.trim_start())
         };
         let begin = (0..=last).rfind(begins).and_then(|place| self.lines[place].reading.as_ref());
         // In `= t/(2 + 3t²) = tan α/(2 + 3 tan²α)` the first is no name of the second.
-        let goes_on = self.lines[last].line.typed.trim_start().starts_with('=');
+        let goes_on = self.lines[last].line.goes_on();
         if let Some(said) = end.said.last_mut().filter(|_| goes_on)
             && let Form::Equation(Expr::Relation(_, Relation::Equal, right)) = &said.form
         {
@@ -160,7 +160,7 @@ impl Working<'_> {
                 if is_remark(&studied.line.typed) {
                     return Truth::Unknown;
                 }
-                let goes_on = studied.line.typed.trim_start().starts_with('=');
+                let goes_on = studied.line.goes_on();
                 let (mut equations, name) = self.equations(reading, named.take().filter(|_| goes_on));
                 named = name;
                 equations.retain(|(left, right)| self.is_of_every_impact(left) && self.is_of_every_impact(right));

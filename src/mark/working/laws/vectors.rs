@@ -54,7 +54,7 @@ impl Working<'_> {
 
     /// The last vector of a line and of those that go on from it with an equals sign.
     fn last_vector_from(&self, place: usize) -> Option<&Vec<Value>> {
-        let goes_on = |studied: &&Studied| studied.line.typed.starts_with('=');
+        let goes_on = |studied: &&Studied| studied.line.goes_on();
         let further = self.lines[place + 1..].iter().take_while(goes_on);
         std::iter::once(&self.lines[place]).chain(further).flat_map(|studied| self.vectors_in(studied)).last()
     }

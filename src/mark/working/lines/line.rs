@@ -28,6 +28,12 @@ pub(in crate::mark::working) struct Line {
 }
 
 impl Line {
+    /// Does it begin with an equals sign, and so go on from the line before? An arrow `=>` draws a conclusion.
+    pub(in crate::mark::working) fn goes_on(&self) -> bool {
+        let typed = self.typed.trim_start();
+        typed.starts_with('=') && !typed.starts_with("=>")
+    }
+
     /// Its readings, to be changed.
     pub(in crate::mark::working) fn readings_mut(&mut self) -> impl Iterator<Item = &mut ReadLine> {
         self.readings.iter_mut().map(Rc::make_mut)
