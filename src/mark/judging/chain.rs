@@ -4,7 +4,7 @@
 //! was only rounded further. Two bare numbers of which one is wrong are rivals, and what false arithmetic leads to is for a
 //! person.
 
-use crate::expr::{Expr, Function};
+use crate::expr::{Expr, Function, Relation};
 use crate::mark::enclosure::about;
 use crate::mark::reading::{Form, Said, Statement};
 use crate::mechanics::Quantity;
@@ -42,7 +42,10 @@ pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
                 let of_right = equation.judge(model, &Said { form: Form::Value(right.clone()), ..said.clone() }, one);
                 of_right.or_better(one(said, label))
             }
-            None => one(said, label),
+            None => {
+                let (finding, by_letter) = (one(said, label), || by_a_letter(model, said, one));
+                if finding.is_credited() { finding } else { by_letter().unwrap_or(finding) }
+            }
         }),
     };
     match left {
@@ -59,11 +62,20 @@ pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
     }
 }
 
-/// `√(v² + 3.625²) = 3.76`: what is asked, by its components of which one is a letter from the working; and `20(1 + f) = 35`,
-/// by a coefficient of restitution that has a value there, which is for a person. Other formulas are equations for the letter.
+/// `√(v² + 3.625²) = 3.76`: what is asked, by its components of which one is a letter from the working; and `20(1 + f) = 35`
+/// or `10√e = 3.84`, by a coefficient of restitution that has a value there, which is for a person. Other formulas are equations for the letter.
 fn of_formula(model: &Model, statement: &Statement, one: One) -> Option<Finding> {
-    let formula = statement.label.as_ref()?.expr.as_ref()?;
-    let last = one(statement.said.last()?, None);
+    worked_out(model, statement.label.as_ref()?.expr.as_ref()?, one(statement.said.last()?, None))
+}
+
+/// The same where nothing is named.
+fn by_a_letter(model: &Model, said: &Said, one: One) -> Option<Finding> {
+    let Form::Equation(Expr::Relation(formula, Relation::Equal, right)) = &said.form else { return None };
+    worked_out(model, formula, one(&Said { form: Form::Value((**right).clone()), ..said.clone() }, None))
+}
+
+/// A formula, and what is found of the value to which it is said to come.
+fn worked_out(model: &Model, formula: &Expr, last: Finding) -> Option<Finding> {
     if !last.is_correct() {
         return None;
     }
@@ -74,8 +86,8 @@ fn of_formula(model: &Model, statement: &Statement, one: One) -> Option<Finding>
     {
         return Some(last);
     }
-    let is_known = |name: &str| model.vocabulary.letters.iter().any(|letter| letter.name() == name);
-    let is_restitution = |name: &str| matches!(name, "e" | "f") && !is_known(name);
+    // Where it was to be found before, no value has it as a letter.
+    let is_restitution = |name: &str| matches!(name, "e" | "f") && !left_side::is_given(model, name);
     let names = formula.names();
     let is_by_restitution = !names.is_empty() && names.iter().all(|name| is_restitution(&name.text));
     let is_asked = model.quantity.is_none_or(|asked| asked.of_its_impact() == Quantity::Restitution);
@@ -107,8 +119,16 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
         let is_worked_out = at > 0 || before.is_some_and(|before| makes_about(before, &statement.said[at]));
         at + 1 < findings.len() && is_worked_out && is_square_of(&statement.said[at], &statement.said[at + 1])
     };
+    // `2.7756 = 2.77`: the value is there, and rounded as it should not be.
+    let is_rounded_wrongly = |at: usize| {
+        let is_off = findings[at].note == Some(Note::NearMiss);
+        is_off
+            && (0..at).any(|before| {
+                findings[before].is_correct() && is_nearly_rounding(&statement.said[before], &statement.said[at])
+            })
+    };
     let is_other = |at: usize| match findings[at].verdict {
-        _ if is_rooted(at) => false,
+        _ if is_rooted(at) || is_rounded_wrongly(at) => false,
         Verdict::Wrong => findings[at].note != Some(Note::TooFewFigures),
         _ => findings[at].note == Some(Note::NearMiss),
     };
@@ -159,8 +179,13 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     }
     let right = (0..findings.len()).find(|at| findings[*at].is_correct() && !worked_out_wrong(*at));
     match right {
+        Some(at) if is_rounded_wrongly(findings.len() - 1) => findings[at].remarked(Note::IgnoredAfter),
         Some(at) if !spoilt_after(at) => findings[at],
         Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
+        // `10√0.147 = 3.83`: nothing is cut off there but what was put in.
+        None if last.note == Some(Note::Truncated) && is_rounded_from_figures(&statement.said) => {
+            Finding::partial(Note::EarlyRounding)
+        }
         _ => last,
     }
 }
@@ -194,9 +219,6 @@ fn is_no_size_of(said: &Said, next: &Said) -> bool {
 
 /// A number without any rounding, in front of another that is not made with it, as the root in `2² + 3² = √13` is.
 fn cannot_lead_to(said: &Said, next: &Said) -> bool {
-    fn has_decimal(expr: &Expr) -> bool {
-        matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
-    }
     fn any(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
         is(expr) || expr.children().into_iter().any(|child| any(child, is))
     }
@@ -207,6 +229,10 @@ fn cannot_lead_to(said: &Said, next: &Said) -> bool {
         |part: &Expr| matches!(part, Expr::Power(root, _) if matches!(**root, Expr::Call(Function::Sqrt, _)));
     let is_it = |part: &Expr| exact::same(part, number, &[]) == Equality::Equal;
     is_exact && !any(number, &is_undone) && !any(next, &is_it)
+}
+
+fn has_decimal(expr: &Expr) -> bool {
+    matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
 }
 
 /// `9.1 = √73`: a decimal that is set equal to a finished number, and is another.
@@ -284,6 +310,37 @@ fn is_rounding(first: &Said, second: &Said) -> bool {
         _ => None,
     };
     written(first).zip(written(second)).is_some_and(|(first, second)| second.is_short_for(&first))
+}
+
+/// Is the second of two bare numbers less than one in its last place off the first, which has more places: `3.7643 = 3.77`?
+fn is_nearly_rounding(first: &Said, second: &Said) -> bool {
+    let written = |said: &Said| match &said.form {
+        Form::Value(expr) => Written::of(expr),
+        _ => None,
+    };
+    let is_near = |(first, second): (Written, Written)| {
+        let apart = (first.value.to_f64() - second.value.to_f64()).abs();
+        second.places < first.places && apart < 0.999_999 * place_value(&second)
+    };
+    written(first).zip(written(second)).is_some_and(is_near)
+}
+
+/// What one in the last place of a decimal is worth.
+fn place_value(written: &Written) -> f64 {
+    i32::try_from(-written.places).map_or(f64::INFINITY, |power| 10f64.powi(power))
+}
+
+/// Does a formula with rounded figures come to the decimal at the end, rounded as it should be?
+fn is_rounded_from_figures(said: &[Said]) -> bool {
+    let [formulas @ .., Said { form: Form::Value(end), .. }] = said else { return false };
+    let Some(end) = Written::of(end) else { return false };
+    let is_rounded = |value: f64| (value - end.value.to_f64()).abs() <= 0.5 * place_value(&end);
+    formulas.iter().any(|said| match &said.form {
+        Form::Value(formula) if Written::of(formula).is_none() && has_decimal(formula) => {
+            about(formula, &[]).is_some_and(is_rounded)
+        }
+        _ => false,
+    })
 }
 
 /// Is it a number as it stands, with nothing left to work out?

@@ -17,6 +17,44 @@ fn values_that_differ_by_a_figure_are_rivals_and_a_rounder_one_is_not() {
             ("2.78 or 2.8", "correct"),
             ("2.776, 2.78", "correct"),
             ("2.77 or 2.78 so 2.78", "correct"),
+            ("2.7756 = 2.79", RIVALS),
+            ("2.7756 ≈ 2.77", "correct"),
+            ("2.7756 or 2.77", RIVALS),
+            ("2.7656 ≈ 2.78", RIVALS),
+        ],
+    );
+}
+
+#[test]
+fn a_value_that_is_rounded_the_wrong_way_is_no_rival() {
+    const RIVALS: &str = "wrong rival-answers";
+    earn(
+        &Asked("3764317/1000000", None, "A.after.speed", None),
+        &[
+            ("3.7643 ≈ 3.76", "correct"),
+            ("3.7643 ≈ 3.77", "correct ignored-after"),
+            ("3.7643 = 3.77 m/s", "correct ignored-after"),
+            ("3.7643 = 3.78", RIVALS),
+            ("3.77 = 3.7643", RIVALS),
+            ("3.7643 or 3.77", RIVALS),
+            ("3.6643 ≈ 3.67", "wrong"),
+        ],
+    );
+}
+
+#[test]
+fn what_was_rounded_before_it_was_put_in_is_not_cut_off_at_the_end() {
+    const RIVALS: &str = "wrong rival-answers";
+    earn(
+        &Asked("10/tan(69*deg)", None, "A.after.speed", None),
+        &[
+            ("3.83", "partial truncated"),
+            ("10√0.147 = 3.83", "partial early-rounding"),
+            ("10√0.147 = 3.84", "correct"),
+            ("3.8386 = 3.83", "correct"),
+            ("3.8386 = 3.85", RIVALS),
+            ("3.8386 ≈ 3.831", RIVALS),
+            ("10√e = 3.84", "unreadable cannot-be-compared"),
         ],
     );
 }
