@@ -4,7 +4,6 @@
 use super::decide::is_own;
 use super::memory::Lines;
 use crate::bank::Find;
-use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Ground, MarkedAnswer, Place};
 use crate::mark::enclosure::about;
 use crate::mark::judging::{Note, Verdict, judge};
@@ -39,32 +38,6 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Exami
         }
     }
 }
-
-/// Of an answer that is right though no line has it, and the lines end with another number for it that is called nothing,
-/// says so: it may be a wrong value or something else, and a person can tell.
-pub(super) fn point_out_end(part: &KeyedPart, script: &PartScript, examined: &Examined, answers: &mut [MarkedAnswer]) {
-    let Some(end) = &examined.end else { return };
-    let is_wrong = |blank: &KeyedBlank| {
-        let judgement = judge(&blank.model, &Ok(vec![end.reading.clone()]));
-        judgement.verdict == Verdict::Wrong && judgement.note.is_none()
-    };
-    let is_beside = |place: &usize| {
-        let answer = &answers[*place];
-        let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
-        // Nought may be anything's.
-        let is_nought = part.blanks[*place].model.value == Expr::integer(0);
-        let is_right = answer.judgement.verdict == Verdict::Correct && answer.judgement.note.is_none();
-        is_typed && is_right && !is_nought && end.is_never_right[*place]
-    };
-    let beside = (0..answers.len()).filter(is_beside).max_by_key(|place| (end.is_worked_out[*place], *place));
-    if let Some(place) = beside.filter(|_| part.blanks.iter().all(is_wrong)) {
-        let judgement = &mut answers[place].judgement;
-        judgement.note = Some(Ground::EndsElsewhere.tag());
-        judgement.feedback = ENDS_ELSEWHERE.to_owned();
-    }
-}
-
-const ENDS_ELSEWHERE: &str = "Right, though your working ends with another number: a person should look at it.";
 
 /// An answer with too few figures says no less than the working does, where a line has the value in all of them: what is rounded
 /// after that is let pass.

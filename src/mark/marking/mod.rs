@@ -6,6 +6,7 @@
 //! mark only once in a question is charged once.
 
 mod answers;
+mod beside;
 mod by_lines;
 mod causes;
 mod decide;
@@ -122,7 +123,7 @@ fn as_printed(
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
         last_word::contradict(part, &handed_in, &examined, &mut answers);
-        last_word::point_out_end(part, &handed_in, &examined, &mut answers);
+        beside::point_out(question, part, &handed_in, &theirs, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
         last_word::take_figures_from_working(part, &examined, &mut answers);
         examined.see_in_answers(question, part, &theirs, readings);

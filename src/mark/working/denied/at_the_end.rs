@@ -1,19 +1,20 @@
-//! Working that ends with a number without a name: `√(1.01² + 3.63²) = 2.4`, where the blank has 3.77.
+//! Working that ends with another value than the answer: `√(1.01² + 3.63²) = 2.4`, where the blank has 3.77.
 
 use super::by_line::Wanted;
 use super::{is_unfinished, middle};
-use crate::mark::reading::{Reading, Statement};
+use crate::expr::Expr;
+use crate::mark::reading::{Form, Label, Said, Statement};
 use crate::mark::working::examine::{Value, Working};
 use crate::mark::working::lines::Member;
-use crate::mark::working::numbers::{comes_to, sizes};
+use crate::mark::working::numbers::{comes_to, is_vector, sizes};
 use crate::mark::working::theirs::is_nearly_right;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
-/// The number with which the working of a part ends, if it is called nothing and is nothing that anybody finds on the way.
+/// The value with which the working of a part ends, if it is nothing that anybody finds on the way.
 pub(crate) struct End {
-    /// What it says.
-    pub(crate) reading: Reading,
-    /// For each blank: does the right value stand nowhere in the lines, but as what this number was worked out from?
+    /// What it says, and what it is called.
+    pub(crate) statement: Statement,
+    /// For each blank: does the right value stand nowhere in the lines, but as what this was worked out from?
     pub(crate) is_never_right: Vec<bool>,
     /// Does it stand there?
     pub(crate) is_worked_out: Vec<bool>,
@@ -26,11 +27,18 @@ impl Working<'_> {
         let (member, values) = self.members(studied).last()?;
         let statement = reading.statements.last()?;
         let said = statement.said.last()?;
-        let is_plain = member.expr.names().is_empty() && !is_unfinished(&member.expr);
-        let is_named = statement.label.is_some() || member.letter.is_some();
         let is_result = studied.line.typed.contains(['=', '≈']) || said.unit.is_some();
-        let is_number = values.iter().all(|value| matches!(value, Value::Number(_)));
-        if !(is_plain && is_number && is_result) || is_named || self.is_on_the_way(values) {
+        // `8v = 4√3` is left to be solved.
+        let is_name = |label: &Label| matches!(label.expr, None | Some(Expr::Name(_)));
+        let is_equation = |said: &Said| matches!(said.form, Form::Equation(_));
+        let is_unsolved = statement.said.iter().any(is_equation) || !statement.label.as_ref().is_none_or(is_name);
+        // A formula in letters is a result where something was worked out to come to it.
+        let is_plain = !is_unfinished(&member.expr)
+            || !member.expr.names().is_empty() && !self.members_before(studied, member).is_empty();
+        if is_unsolved
+            || !(is_plain && is_result && self.in_given_names(&member.expr).is_some())
+            || self.is_on_the_way(values)
+        {
             return None;
         }
         let before = self.members_before(studied, member);
@@ -42,13 +50,15 @@ impl Working<'_> {
         let is_never_right = of_blanks(&|wanted| self.members_that_are(wanted).all(|(_, own)| is_before(own)));
         let is_worked_out = of_blanks(&|wanted| self.members_that_are(wanted).any(|(_, own)| is_before(own)));
         let statement = Statement { said: vec![said.clone()], ..statement.clone() };
-        let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
-        Some(End { reading, is_never_right, is_worked_out })
+        Some(End { statement, is_never_right, is_worked_out })
     }
 
     /// Is it the size of anything that is known of the impact, or the square of a speed, a momentum, an energy, or a speed of
     /// approach or of separation? Who ends with such a number has written a step, and the answer in its place.
     fn is_on_the_way(&self, values: &[Value]) -> bool {
+        if values.iter().any(|value| matches!(value, Value::Vector(..))) {
+            return self.is_vector_on_the_way(values);
+        }
         let known = |quantity: Quantity| sizes(&self.prepared.known, quantity);
         // It may come of what was rounded.
         let nearly =
@@ -75,5 +85,25 @@ impl Working<'_> {
         quantities().filter_map(known).any(|all| is(&|point| Some(all[point])))
             || quantities().filter(is_speed).filter_map(known).any(|speed| of_speed(&speed))
             || [Moment::Before, Moment::After].into_iter().any(of_both)
+    }
+
+    /// Is it a velocity, an impulse or a momentum, of one sphere or of both, whichever way it points?
+    fn is_vector_on_the_way(&self, values: &[Value]) -> bool {
+        let both = |of: &dyn Fn(Axis) -> Quantity| {
+            let [x, y] = [Axis::X, Axis::Y].map(|axis| sizes(&self.prepared.known, of(axis)));
+            x.zip(y)
+        };
+        let is = |x: &[f64], y: &[f64]| [1.0, -1.0].into_iter().any(|sign| is_vector(values, x, y, sign));
+        let times = |mass: &[f64], along: &[f64]| -> Vec<f64> { mass.iter().zip(along).map(|(m, v)| m * v).collect() };
+        let of_sphere = |sphere: Sphere| {
+            let mass = sizes(&self.prepared.known, Quantity::Mass(sphere));
+            let velocities =
+                [Moment::Before, Moment::After].map(|at| both(&|axis| Quantity::Velocity(sphere, at, axis)));
+            let impulse = both(&|axis| Quantity::Impulse(sphere, axis));
+            let momenta = velocities.iter().flatten().filter_map(|(x, y)| Some((mass.as_ref()?, x, y)));
+            momenta.into_iter().any(|(mass, x, y)| is(&times(mass, x), &times(mass, y)))
+                || velocities.iter().flatten().chain(&impulse).any(|(x, y)| is(x, y))
+        };
+        Sphere::BOTH.into_iter().any(of_sphere)
     }
 }

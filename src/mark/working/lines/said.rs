@@ -7,7 +7,8 @@ use crate::expr::Expr;
 use crate::mark::judging::{Model, named_spheres, words_fit};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::working::examine::{Studied, Working};
-use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::mark::working::numbers::sizes;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 impl Working<'_> {
     /// Does a line only list the components across the line of centres, of A and then of B, and say that they are:
@@ -22,7 +23,19 @@ impl Working<'_> {
         };
         let is_one = |(own, (_, right)): (&f64, &(Sphere, Vec<f64>))| matches!(right[..], [right] if is(*own, right));
         let is_turned = typed.find('B').zip(typed.find('A')).is_some_and(|(of_b, of_a)| of_b < of_a);
-        says_across(typed) && !typed.contains("along") && !is_turned && listed.iter().zip(across).all(is_one)
+        let is_across = says_across(typed) || self.begins_with_axis_across(typed);
+        is_across && !typed.contains("along") && !is_turned && listed.iter().zip(across).all(is_one)
+    }
+
+    /// `j: 2 and 1`, where the line of centres is parallel to i.
+    fn begins_with_axis_across(&self, typed: &str) -> bool {
+        let along = |axis| sizes(&self.prepared.known, Quantity::Line(axis)).map(|line| line[0].abs());
+        let across = match [Axis::X, Axis::Y].map(along) {
+            [Some(x), Some(y)] if y < 1e-9 && x > 0.0 => "j",
+            [Some(x), Some(y)] if x < 1e-9 && y > 0.0 => "i",
+            _ => return false,
+        };
+        typed.split(|sign: char| !sign.is_alphanumeric()).find(|word| !word.is_empty()) == Some(across)
     }
 
     /// Is it said of what stands here that it stays, and not of a list with something else in it?
