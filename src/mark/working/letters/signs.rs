@@ -1,13 +1,39 @@
-//! Signs that belong to the name of a velocity: primes, and those that say of which component it is, as in `v∥` and `u⊥`.
+//! Signs beside the name of a velocity: primes, those that say of which component it is, as in `v∥` and `u⊥`, and the dot of a
+//! scalar product.
 
 use std::borrow::Cow;
 
 /// A line with such signs as formulas have them.
 pub(in crate::mark::working) fn with_signs(line: &str) -> Cow<'_, str> {
-    match with_primes(line) {
+    let signed = match with_primes(line) {
         Cow::Borrowed(line) => with_components(line),
         Cow::Owned(line) => Cow::Owned(with_components(&line).into_owned()),
+    };
+    match signed {
+        Cow::Borrowed(line) => with_dots(line),
+        Cow::Owned(line) => Cow::Owned(with_dots(&line).into_owned()),
     }
+}
+
+/// A line with the dot of a scalar product raised, where a full stop was typed between a velocity and another vector: `u_A.n`.
+fn with_dots(line: &str) -> Cow<'_, str> {
+    let is_name = |word: &str| {
+        let index = word.strip_prefix(|letter| "uvwUVW".contains(letter));
+        index.is_some_and(|index| matches!(index.trim_start_matches('_'), "A" | "B" | "a" | "b" | "1" | "2" | ""))
+    };
+    let is_dot = |at: usize| {
+        let word = line[..at].rfind(|sign: char| !(sign.is_alphanumeric() || sign == '_'));
+        let before = word.map_or(0, |end| end + line[end..].chars().next().map_or(0, char::len_utf8));
+        let mut after = line[at + 1..].chars();
+        let is_vector = after.next().is_some_and(char::is_alphabetic);
+        is_name(&line[before..at]) && is_vector && !after.next().is_some_and(|next| next.is_alphanumeric() || next == '.')
+    };
+    let dots: Vec<usize> = line.match_indices('.').map(|(at, _)| at).filter(|at| is_dot(*at)).collect();
+    if dots.is_empty() {
+        return Cow::Borrowed(line);
+    }
+    let raised = line.char_indices().map(|(at, sign)| if dots.contains(&at) { '·' } else { sign });
+    Cow::Owned(raised.collect())
 }
 
 /// A line with primes as keyboards have them, where they are raised or typed as TeX's command: `v^{\\prime}`.
