@@ -69,11 +69,12 @@ fn beside_end(part: &KeyedPart, examined: &Examined, right: &[usize]) -> Option<
 
 /// The velocities along the line of centres that the working of this part has found to be of another size.
 fn wrong_velocities(question: &KeyedQuestion, before: &Theirs, examined: &Examined) -> Vec<Quantity> {
+    let wrong: Vec<Quantity> = examined.theirs.wrong(question).map(|(quantity, _)| quantity).collect();
     let right = |quantity: Quantity| match question.meeting(quantity.impact()) {
         Some(meeting) => {
             question.impact(meeting, &Theirs::default())?.prepared().known_sizes(meeting.in_law(quantity)?)
         }
-        None => question.prepared().known_sizes(quantity),
+        None => question.prepared().known_sizes(quantity).filter(|_| wrong.contains(&quantity)),
     };
     let is_apart = |(quantity, (own, _)): &(&Quantity, &(Vec<f64>, Expr))| {
         let is_velocity = matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _));

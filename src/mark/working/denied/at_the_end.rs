@@ -2,7 +2,7 @@
 
 use super::by_line::Wanted;
 use super::{is_unfinished, middle};
-use crate::expr::Expr;
+use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Label, Said, Statement};
 use crate::mark::working::examine::{Value, Working};
 use crate::mark::working::lines::Member;
@@ -30,8 +30,18 @@ impl Working<'_> {
         let is_result = studied.line.typed.contains(['=', '≈']) || said.unit.is_some();
         // `8v = 4√3` is left to be solved.
         let is_name = |label: &Label| matches!(label.expr, None | Some(Expr::Name(_)));
-        let is_equation = |said: &Said| matches!(said.form, Form::Equation(_));
-        let is_unsolved = statement.said.iter().any(is_equation) || !statement.label.as_ref().is_none_or(is_name);
+        let is_member = |said: &Said| match (&said.form, &member.expr) {
+            (Form::Value(value), expr) => value == expr,
+            (Form::Vector(x, y, _), Expr::Vector(own_x, own_y)) => *x == **own_x && *y == **own_y,
+            // `3m(2u - 2eu) = 6mu(1 - e)`: a formula of what is given, and what it comes to.
+            (Form::Equation(Expr::Relation(left, Relation::Equal, right)), expr) => {
+                **right == *expr && self.in_given_names(left).is_some()
+            }
+            _ => false,
+        };
+        let is_value = |said: &Said| !matches!(said.form, Form::Equation(_)) || is_member(said);
+        let is_solved = is_member(said) && statement.said.iter().all(is_value);
+        let is_unsolved = !is_solved || !statement.label.as_ref().is_none_or(is_name);
         // A formula in letters is a result where something was worked out to come to it.
         let is_plain = !is_unfinished(&member.expr)
             || !member.expr.names().is_empty() && !self.members_before(studied, member).is_empty();
@@ -49,7 +59,11 @@ impl Working<'_> {
         };
         let is_never_right = of_blanks(&|wanted| self.members_that_are(wanted).all(|(_, own)| is_before(own)));
         let is_worked_out = of_blanks(&|wanted| self.members_that_are(wanted).any(|(_, own)| is_before(own)));
-        let statement = Statement { said: vec![said.clone()], ..statement.clone() };
+        let form = match said.form {
+            Form::Equation(_) => Form::Value(member.expr.clone()),
+            ref form => form.clone(),
+        };
+        let statement = Statement { said: vec![Said { form, ..said.clone() }], ..statement.clone() };
         Some(End { statement, is_never_right, is_worked_out })
     }
 

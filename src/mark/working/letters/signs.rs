@@ -26,7 +26,9 @@ fn with_dots(line: &str) -> Cow<'_, str> {
         let before = word.map_or(0, |end| end + line[end..].chars().next().map_or(0, char::len_utf8));
         let mut after = line[at + 1..].chars();
         let is_vector = after.next().is_some_and(char::is_alphabetic);
-        is_name(&line[before..at]) && is_vector && !after.next().is_some_and(|next| next.is_alphanumeric() || next == '.')
+        is_name(&line[before..at])
+            && is_vector
+            && !after.next().is_some_and(|next| next.is_alphanumeric() || next == '.')
     };
     let dots: Vec<usize> = line.match_indices('.').map(|(at, _)| at).filter(|at| is_dot(*at)).collect();
     if dots.is_empty() {
