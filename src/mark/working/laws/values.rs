@@ -25,8 +25,8 @@ impl Working<'_> {
 
     /// A line states a value, the first or second of those that the mark is for, with the figures that are asked for.
     fn value_of(&self, quantity: Quantity, place_in_mark: usize, code: Code, mark: &KeyedMark) -> Option<Evidence> {
-        if let Some(Expr::Vector(..)) = mark.equation.as_ref().map(right_side) {
-            return self.vector_of(quantity);
+        if let Some(Expr::Vector(x, y)) = mark.equation.as_ref().map(right_side) {
+            return self.vector_of(quantity, [x, y], code);
         }
         let along = along_for(quantity, self.prepared);
         let letter = self.convention.as_ref().and_then(|convention| {
@@ -231,10 +231,20 @@ impl Working<'_> {
         has_two && quantity.of_its_impact() == Quantity::EnergyLost && !is_formula && is_of_one
     }
 
-    fn vector_of(&self, quantity: Quantity) -> Option<Evidence> {
+    /// The line with the vector of a velocity. Where an impact begins with values of the student's own, what follows from them is
+    /// not `stated`, which is right.
+    fn vector_of(&self, quantity: Quantity, stated: [&Expr; 2], code: Code) -> Option<Evidence> {
         let Quantity::Velocity(sphere, moment, _) = quantity else { return None };
         let at = |axis| sizes(&self.prepared.known, Quantity::Velocity(sphere, moment, axis));
         let (x, y) = at(Axis::X).zip(at(Axis::Y))?;
+        let stated = stated.map(|expr| self.prepared.sizes_of(expr));
+        let is_own = |own: &[f64], stated: &Option<Vec<f64>>| {
+            stated.as_ref().is_some_and(|stated| own.iter().zip(stated).any(|(own, right)| (own - right).abs() > 1e-9))
+        };
+        let is_condoned = code == Code::A1FollowThrough || !self.prepared.found.is_empty();
+        if !is_condoned && (is_own(&x, &stated[0]) || is_own(&y, &stated[1])) {
+            return None;
+        }
         let is_exact = self.must_be_exact(quantity);
         let is_right = |values: &[Value]| match is_exact {
             true => is_vector(&exactly(values), &x, &y, 1.0),
