@@ -1,5 +1,6 @@
 //! Momentum and restitution along the line of centres: which of them a line is, and how it departs from it.
 
+mod added_up;
 mod agreement;
 mod apiece;
 mod changed;

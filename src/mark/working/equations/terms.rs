@@ -6,22 +6,21 @@
 
 use std::cell::{Cell, OnceCell};
 
+use super::added_up::{count, terms, terms_negated};
 use super::agreement::{Agrees, LEAST_TERMS, SLACK, agreement, agreement_of_three, near};
 use super::convention::is_value;
 use super::conventions::sphere;
+use super::departure::Departure;
 use super::pair::BOTH;
 use super::trials::{are_of_one, chosen, degree, may_stand_for};
 use crate::bank::Code;
-use crate::expr::{Expr, Relation};
+use crate::expr::Expr;
 use crate::mark::judging::may_be_named;
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::examine::{Studied, Working, context};
 use crate::mark::working::letters::whole;
 use crate::mark::working::numbers::{Context, Points, Spread, any_within, constant};
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
-
-/// Nobody writes more terms into one of the two equations.
-const MOST_TERMS: usize = 8;
 
 /// What is known of an impact at a point, along the line of centres.
 struct Numbers {
@@ -41,6 +40,12 @@ impl Numbers {
             after: along(Moment::After)?,
             e: known.number(Quantity::Restitution)?,
         })
+    }
+
+    /// The same in so many times the unit of speed.
+    fn over(self, unit: f64) -> Numbers {
+        let [before, after] = [self.before, self.after].map(|speeds| speeds.map(|speed| speed / unit));
+        Numbers { before, after, ..self }
     }
 
     /// The terms of a law, all on one side.
@@ -117,9 +122,14 @@ impl Working<'_> {
             let other = BOTH.into_iter().find(|other| *other != equation)?;
             (right_of(other).get(place).copied().flatten() < right[place]).then_some(place)
         };
-        let (place, note, feedback) = match but_for_signs() {
-            Some(place) => (place, Some("sign-error"), "a sign or a number in it is wrong"),
-            None => (line(own(), Agrees::ButForSignsAndFactor)?, None, "it starts from a value that is not right"),
+        let by_own = || line(own(), Agrees::ButForSignsAndFactor);
+        let (place, note, feedback) = match (but_for_signs(), by_own()) {
+            (Some(place), _) => (place, Some("sign-error"), "a sign or a number in it is wrong"),
+            (None, Some(place)) => (place, None, "it starts from a value that is not right"),
+            (None, None) => {
+                let missing = Departure::LetterMissing;
+                (self.without_letter(equation)?, Some(missing.tag()), missing.sentence())
+            }
         };
         let evidence = Evidence::given(place, law.name());
         match code.is_accuracy() {
@@ -128,19 +138,30 @@ impl Working<'_> {
         }
     }
 
+    /// The line that is one of the two equations in every term, but that a letter of the speeds is left out of all: `37k = 36k + w`.
+    fn without_letter(&self, equation: Quantity) -> Option<usize> {
+        self.prepared.laws.iter().flat_map(|laws| &laws.speeds).find_map(|letter| {
+            let at = |(point, letter): (usize, &f64)| Some(Numbers::of(&self.prepared.known[point])?.over(*letter));
+            let numbers = letter.iter().enumerate().map(at).collect::<Option<Vec<Numbers>>>()?;
+            self.agreements_with(equation, &numbers).iter().position(|agrees| *agrees == Some(Agrees::Fully))
+        })
+    }
+
     /// How each line that is not known by its form agrees with one of the two equations, with these numbers.
     fn agreements<'k>(&'k self, equation: Quantity, at: &dyn Fn(usize) -> &'k Known<f64>) -> Vec<Option<Agrees>> {
         let numbers: Option<Vec<Numbers>> =
             (0..self.prepared.points.count).map(|point| Numbers::of(at(point))).collect();
-        let Some(numbers) =
-            numbers.filter(|numbers| !self.has_unsaid_nought(&numbers.iter().map(|at| at.after).collect::<Vec<_>>()))
-        else {
+        numbers.map_or(Vec::new(), |numbers| self.agreements_with(equation, &numbers))
+    }
+
+    fn agreements_with(&self, equation: Quantity, numbers: &[Numbers]) -> Vec<Option<Agrees>> {
+        if self.has_unsaid_nought(&numbers.iter().map(|at| at.after).collect::<Vec<_>>()) {
             return Vec::new();
-        };
+        }
         let agrees = |studied: &Studied| {
             let is_open =
                 studied.matched.iter().all(|matched| !matched.is_method()) && !self.is_printed_result(studied);
-            is_open.then(|| self.agreement(studied, equation, &numbers)).flatten()
+            is_open.then(|| self.agreement(studied, equation, numbers)).flatten()
         };
         self.lines.iter().map(agrees).collect()
     }
@@ -325,49 +346,6 @@ impl Working<'_> {
 
 fn is_e(expr: &Expr) -> bool {
     matches!(expr, Expr::Name(name) if name.text == "e")
-}
-
-/// How many terms a formula has, brackets multiplied out.
-fn count(expr: &Expr) -> usize {
-    match expr {
-        Expr::Sum(all) => all.iter().map(count).sum(),
-        Expr::Negative(inner) | Expr::Quotient(inner, _) => count(inner),
-        Expr::Product(factors) => factors.iter().map(count).product(),
-        _ => 1,
-    }
-}
-
-/// What is added up in a formula, brackets multiplied out.
-fn terms(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
-    let found = match expr {
-        Expr::Sum(all) => {
-            let each: Option<Vec<Vec<Spread>>> = all.iter().map(|term| terms(term, context)).collect();
-            each?.concat()
-        }
-        Expr::Negative(inner) => terms(inner, context)?.into_iter().map(|term| -term).collect(),
-        Expr::Product(factors) => {
-            let mut product = vec![Spread::exactly(1.0)];
-            for factor in factors {
-                let factor = terms(factor, context)?;
-                product = product.iter().flat_map(|one| factor.iter().map(|other| *one * *other)).collect();
-                if product.len() > MOST_TERMS {
-                    return None;
-                }
-            }
-            product
-        }
-        Expr::Quotient(above, below) => {
-            let below = constant(below, context)?;
-            terms(above, context)?.into_iter().map(|term| term.over(below)).collect::<Option<_>>()?
-        }
-        Expr::Relation(_, Relation::Equal, _) => return None,
-        other => vec![constant(other, context)?],
-    };
-    (found.len() <= MOST_TERMS).then_some(found)
-}
-
-fn terms_negated(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
-    Some(terms(expr, context)?.into_iter().map(|term| -term).collect())
 }
 
 /// Is a law multiplied or divided by it to be rid of fractions, or of a factor that all its terms have? Three terms in its proportion
