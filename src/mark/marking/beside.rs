@@ -80,6 +80,7 @@ fn wrong_velocities(question: &KeyedQuestion, before: &Theirs, examined: &Examin
         let is_velocity = matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _));
         is_velocity
             && !before.values.contains_key(quantity)
+            && !examined.found_once.contains(quantity)
             && right(**quantity).is_some_and(|right| are_apart(own, &right))
     };
     examined.theirs.values.iter().filter(is_apart).map(|(quantity, _)| *quantity).collect()

@@ -54,8 +54,10 @@ pub(crate) struct Examined {
     pub(crate) denied: Vec<bool>,
     /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity after the impact?
     pub(crate) denies_velocities: [bool; 2],
-    /// The number without a name with which the lines end.
+    /// The value with which the lines end.
     pub(crate) end: Option<End>,
+    /// The velocities after the impact that some letter is said to be: another value of it may be of something else.
+    pub(crate) found_once: Vec<Quantity>,
 }
 
 /// Of the letters for the velocities of A and B, is it that of the other sphere?
@@ -217,7 +219,7 @@ fn examine_lines(
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
-    let (denied, end) = (working.denied_by_lines(), working.end());
+    let (denied, end, found_once) = (working.denied_by_lines(), working.end(), working.found_once());
     let finds_exactly = working.finds_exactly();
     let denies_velocities = working.denies_velocities();
     let denies_what_is_found = working.denies_what_is_found();
@@ -255,6 +257,7 @@ fn examine_lines(
         denied,
         denies_velocities,
         end,
+        found_once,
     }
 }
 

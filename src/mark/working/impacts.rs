@@ -100,7 +100,8 @@ fn examine_as_begun(
         role: meeting.in_words(&line.role),
         ..line
     });
-    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, ..examined })
+    let found_once = examined.found_once.into_iter().map(|found| meeting.quantity(found)).collect();
+    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, found_once, ..examined })
 }
 
 /// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
@@ -168,6 +169,7 @@ impl Examined {
             denied: Vec::new(),
             denies_velocities: [false; 2],
             end: None,
+            found_once: Vec::new(),
         }
     }
 
@@ -318,6 +320,7 @@ impl Examined {
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         self.turns.extend(later.turns);
         self.denies_what_is_found &= later.denies_what_is_found;
+        self.found_once.extend(later.found_once);
         self.denied.clear();
         (self.denies_velocities, self.end) = ([false; 2], None);
         // Each impact has an e of its own.

@@ -67,6 +67,20 @@ impl Working<'_> {
         Some(End { statement, is_never_right, is_worked_out })
     }
 
+    /// The velocities after the impact whose right value some letter has in the lines.
+    pub(in crate::mark::working) fn found_once(&self) -> Vec<Quantity> {
+        let axes = [Axis::N, Axis::T, Axis::X, Axis::Y];
+        let all = Sphere::BOTH
+            .into_iter()
+            .flat_map(|sphere| axes.map(|axis| Quantity::Velocity(sphere, Moment::After, axis)));
+        let is_found = |quantity: &Quantity| {
+            let Some(right) = sizes(&self.prepared.known, *quantity) else { return false };
+            let wanted = Wanted::Number { right, is_angle: false };
+            self.members_that_are(&wanted).any(|(_, member)| member.letter.is_some())
+        };
+        all.filter(is_found).collect()
+    }
+
     /// Is it the size of anything that is known of the impact, or the square of a speed, a momentum, an energy, or a speed of
     /// approach or of separation? Who ends with such a number has written a step, and the answer in its place.
     fn is_on_the_way(&self, values: &[Value]) -> bool {
