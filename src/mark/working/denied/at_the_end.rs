@@ -67,8 +67,12 @@ impl Working<'_> {
         Some(End { statement, is_never_right, is_worked_out })
     }
 
-    /// The velocities after the impact whose right value some letter has in the lines.
+    /// The velocities after the impact whose right value some letter has in the lines, where the same letter may be of the
+    /// whole speed as well: not in a line.
     pub(in crate::mark::working) fn found_once(&self) -> Vec<Quantity> {
+        if self.across().is_empty() {
+            return Vec::new();
+        }
         let axes = [Axis::N, Axis::T, Axis::X, Axis::Y];
         let all = Sphere::BOTH
             .into_iter()
