@@ -208,6 +208,24 @@ mod tests {
     }
 
     #[test]
+    fn a_mark_for_a_step_that_leads_to_no_letter_is_never_won() {
+        let (id, text) = shipped().find(|(id, _)| *id == "walls/turned-through-a-right-angle").unwrap();
+        for (step, is_taken) in [
+            ("perpendicular", true),
+            ("resolve", true),
+            ("A.after.n", true),
+            ("impulse", false),
+            ("energy", false),
+            ("impulse.magnitude", false),
+        ] {
+            let text = text.replacen("\"B1\", for = \"perpendicular\"", &format!("\"B1\", for = \"{step}\""), 1);
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let found: Vec<String> = unrewarded(&question).into_iter().map(|finding| finding.message).collect();
+            assert_eq!(found.is_empty(), is_taken, "{step}: {found:?}");
+        }
+    }
+
+    #[test]
     fn an_exercise_of_another_series_is_left_alone() {
         let (id, text) = shipped().find(|(_, text)| text.contains("mirrors = \"5C-2\"")).unwrap();
         for (name, said) in

@@ -57,7 +57,7 @@ fn impact_of(place: usize, here: &WorkedPart) -> u8 {
 /// Names of the answers of a part to which a mark belongs: those that cannot be found without its step.
 pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
     let answers = here.part.answers.iter().enumerate();
-    // What is found from conditions needs every step that leads to them.
+    // What is found from conditions needs the steps that lead to them.
     let from_conditions = |answer: &Answer| match answer.find {
         Find::Unknown(_) => true,
         // These are quantities of every impact, and letters to be found where a part has a finding.
@@ -65,6 +65,10 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
             answer.kind == Kind::Range || !here.finding.is_empty()
         }
         _ => answer.kind == Kind::Range,
+    };
+    let needs = |step: &EarnedFor| {
+        let mut steps = here.behind.iter().chain(&here.steps).peekable();
+        steps.peek().is_none() || steps.any(|taken| is_of(&taken.rule, step))
     };
     let belongs = answers.filter(|(_, answer)| {
         let asked = answer.find.quantities();
@@ -75,7 +79,10 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
                 let about = |asked: &Quantity| {
                     Sphere::ALL.into_iter().all(|of| is_about(*asked, of) || !is_about(*quantity, of))
                 };
-                from_conditions(answer) || asked.iter().any(about)
+                match from_conditions(answer) {
+                    true => needs(&EarnedFor::Quantity(*quantity)),
+                    false => asked.iter().any(about),
+                }
             }
         };
         match &mark.earned_for {
@@ -85,7 +92,7 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
             EarnedFor::Condition => from_conditions(answer) || !here.part.answers.iter().any(from_conditions),
             step => {
                 let steps = steps_to(&asked, &here.given);
-                from_conditions(answer) || steps.iter().any(|rule| is_of(rule, step))
+                (from_conditions(answer) && needs(step)) || steps.iter().any(|rule| is_of(rule, step))
             }
         }
     });
