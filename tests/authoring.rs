@@ -324,7 +324,7 @@ method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end op
 parameter-and-letter parameter-in-another-case range-in-words range-with-a-dash reference-lacks-parameter
 requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things
 requirement-twice requirement-without-truth requirements-of-both restitution-above-one restitution-nowhere-declared
-result-in-stem result-without-show reversed-range second-component-tested shown-is-an-equation shown-is-not-found
+result-in-stem result-without-show reversed-range second-component-tested several-values-in-one-text shown-is-an-equation shown-is-not-found
 shown-letter-given shown-letter-undeclared shown-without-a-result shown-without-a-star sine-shown-for-a-tangent
 star-where-nothing-is-shown style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined unit-in-a-value
 unit-misspelt unit-of-a-force unit-of-grams unit-per-hour unit-with-a-power unit-without-a-space unknown-letter-misspelt

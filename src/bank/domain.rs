@@ -39,7 +39,11 @@ impl Domain {
 
     /// Is a text meant for a range, and not for one value?
     pub fn is_range(text: &str) -> bool {
-        text.contains("..") || between_dashes(text).is_some() || between_words(text).is_some() || text.trim().is_empty()
+        text.contains("..")
+            || between_dashes(text).is_some()
+            || between_words(text).is_some()
+            || listed(text).is_some()
+            || text.trim().is_empty()
     }
 
     /// Reads `2..12`, `10..80 step 5`, `1/4..3/4 step 1/4`, or one expression.
@@ -63,6 +67,12 @@ impl Domain {
             let whole = trimmed(text, 0, text.len());
             return Err(Fault::new("words where values are expected", whole, "a range has two dots")
                 .try_this(format!("write `{first}..{last}`")));
+        }
+        if let Some(values) = listed(text) {
+            let list = values.iter().map(|value| format!("\"{value}\"")).collect::<Vec<_>>().join(", ");
+            let whole = trimmed(text, 0, text.len());
+            return Err(Fault::new("several values in one text", whole, "in a list each has its own quotes")
+                .try_this(format!("write `[{list}]`")));
         }
         if text.trim().is_empty() {
             let expected = "a range or a list of values";
@@ -146,6 +156,13 @@ fn between_dashes(text: &str) -> Option<(&str, &str)> {
     let (first, last) = text.split_once(['-', '–'])?;
     let is_whole = |end: &str| !end.is_empty() && end.bytes().all(|sign| sign.is_ascii_digit());
     Some((first.trim(), last.trim())).filter(|(first, last)| is_whole(first) && is_whole(last))
+}
+
+/// Values that are written one after another in one text: `2, 3, 4`. `2,5` is one decimal number.
+fn listed(text: &str) -> Option<Vec<&str>> {
+    let values: Vec<&str> = text.split([',', ';']).map(str::trim).filter(|value| !value.is_empty()).collect();
+    let is_list = values.len() > 2 || (values.len() == 2 && text.contains([' ', ';']));
+    (is_list && !text.contains(['(', '[', '"'])).then_some(values)
 }
 
 /// The two numbers of `4 to 12`.
@@ -245,6 +262,9 @@ mod tests {
             ("4-12", "a difference where values are expected", "4-12"),
             ("4 to 12", "words where values are expected", "4 to 12"),
             ("0.5 up to 2.5", "words where values are expected", "0.5 up to 2.5"),
+            ("2,3,4", "several values in one text", "2,3,4"),
+            ("1/2, 3/4", "several values in one text", "1/2, 3/4"),
+            ("2; 3", "several values in one text", "2; 3"),
             ("", "no value stands here", ""),
             ("1..6 step 0", "the step is not above nought", "0"),
             ("1..", "an end of the range is missing", ""),
