@@ -21,6 +21,9 @@ use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, r
 /// all variants of a question share.
 pub const MARKED: usize = 3;
 
+/// In how many variants of each style what the words say is compared with the scene.
+const HEARD: usize = 12;
+
 /// How many sets of numbers a thread takes at a time.
 const PORTION: u64 = 64;
 
@@ -75,7 +78,9 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
                 Piece::Students { question, style } => {
                     let of = questions[question];
                     for (dealt, variant) in dealt_variants(of, style) {
-                        done[question].coverage.push((dealt, coverage(of, &variant)));
+                        if dealt.is_none_or(|(_, nth)| nth < MARKED) {
+                            done[question].coverage.push((dealt, coverage(of, &variant)));
+                        }
                         if let Some((style, _)) = dealt {
                             done[question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
                         }
@@ -135,12 +140,12 @@ fn pieces(questions: &[&Question], families: &[Family]) -> Vec<Piece> {
     pieces
 }
 
-/// The variants of a style that students hand in, or the reference numbers.
+/// The variants of a style that are looked at one by one, or the reference numbers.
 fn dealt_variants(question: &Question, style: Option<usize>) -> Vec<(Dealt, Variant)> {
     let Some(style) = style else {
         return reference(question).ok().map(|variant| (None, variant)).into_iter().collect();
     };
-    let dealt = Deal::new(question, &question.styles[style], 1).take(MARKED);
+    let dealt = Deal::new(question, &question.styles[style], 1).take(HEARD);
     dealt.enumerate().map(|(nth, variant)| (Some((style, nth)), variant)).collect()
 }
 
@@ -148,7 +153,7 @@ fn dealt_variants(question: &Question, style: Option<usize>) -> Vec<(Dealt, Vari
 struct Done {
     tallies: Vec<Tally>,
     coverage: Vec<(Dealt, Coverage)>,
-    /// What the words say and is not so in the variants that students hand in.
+    /// What the words say and is not so in the variants that are looked at one by one.
     said: Vec<(Dealt, Vec<Finding>)>,
 }
 
@@ -225,7 +230,12 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
         let message = format!("style `{}` has no variant", style.name);
         let help = match Sieve::new(question, style).exclusive(style.size().min(MOST_TRIED)) {
             Some([one, other]) => format!("take out `{one}` or `{other}`, of which no set of numbers meets both"),
-            None => format!("`carom explain {}` says what turns the numbers away", question.id),
+            None => match census.last_requirement(style) {
+                Some((last, count)) => {
+                    format!("mend `{last}`, or take it out: it turns away all {count} that are left when it is tried")
+                }
+                None => format!("`carom explain {}` says what turns the numbers away", question.id),
+            },
         };
         findings.push(Finding::new(message, at.as_str(), "nothing of it can be printed").with_help(help));
     }

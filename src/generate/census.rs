@@ -53,6 +53,12 @@ impl Census {
         self.unfit.iter().map(|(reason, count)| (in_words(reason, question, style), *count)).collect()
     }
 
+    /// Where nothing is fit for print: the requirement that turns away the last, and how many.
+    pub fn last_requirement<'s>(&self, style: &'s Style) -> Option<(&'s str, u64)> {
+        let (reason, count) = self.unfit.last_key_value().filter(|_| self.fit == 0)?;
+        Some((style.require.get(reason.requirement()?)?.text.as_str(), *count))
+    }
+
     /// Of a style with so many sets; nobody is asked for a second reason.
     pub fn new(size: u64) -> Census {
         Census { size, ..Census::default() }
