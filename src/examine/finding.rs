@@ -72,7 +72,8 @@ impl Finding {
         // A number may stand in the file in another form than it is told in.
         let before_number =
             || place(text, self.at.rsplit_once('{').map(|(before, _)| before).filter(|at| !at.trim().is_empty())?);
-        let found = asked("").or_else(|| asked("[")).or_else(|| place(text, &self.at)).or_else(before_number);
+        let words = || place(text, &self.at).or_else(|| place(text, &begun(&self.at)));
+        let found = asked("").or_else(|| asked("[")).or_else(words).or_else(before_number);
         let found = found.map(|place| within.start + place.start..within.start + place.end);
         let found = found.or(self.within.clone());
         let span = key.or(row).or(found);
@@ -93,7 +94,14 @@ fn typed(help: &str, id: &str, source: &Source) -> String {
     })
 }
 
-/// Where words stand in a text, which may break the line between any two of them; not in a comment, if they stand elsewhere.
+/// The same words where a sentence begins with them.
+fn begun(words: &str) -> String {
+    let mut signs = words.chars();
+    signs.next().map_or_else(String::new, |first| first.to_uppercase().chain(signs).collect())
+}
+
+/// Where words stand in a text, which may break the line between any two of them; not in a comment or the title, if they
+/// stand elsewhere.
 fn place(text: &str, words: &str) -> Option<Range<usize>> {
     let mut rest = words.split_whitespace();
     let first = rest.next()?;
@@ -110,13 +118,13 @@ fn place(text: &str, words: &str) -> Option<Range<usize>> {
         }
         Some(start..end)
     };
-    let is_comment = |place: &Range<usize>| {
+    let is_after = |start: &str, place: &Range<usize>| {
         let line = text[..place.start].rfind('\n').map_or(0, |end| end + 1);
-        text[line..].trim_start().starts_with('#')
+        text[line..].trim_start().starts_with(start)
     };
-    let mut places: Vec<Range<usize>> = text.match_indices(first).filter_map(found).collect();
-    let plain = places.iter().position(|place| !is_comment(place)).unwrap_or(0);
-    (plain < places.len()).then(|| places.swap_remove(plain))
+    let places: Vec<Range<usize>> = text.match_indices(first).filter_map(found).collect();
+    let remote = |place: &&Range<usize>| (is_after("#", place), is_after("title", place));
+    places.iter().min_by_key(remote).cloned()
 }
 
 #[cfg(test)]
@@ -139,6 +147,12 @@ mod tests {
         let line = |at: &str| Finding::new("it", at, "here").diagnostic("q", &source).to_string();
         assert!(line("[[part]]").contains("q.toml:3:1"), "{}", line("[[part]]"));
         assert!(line("\"e\"").contains("q.toml:4:14"), "{}", line("\"e\""));
+        let text = "title = \"Turned through a right angle\"\nstem = \"The sphere turns through a right angle.\"\n";
+        let source = Source::new("q.toml", text);
+        let line = |at: &str| Finding::new("it", at, "here").diagnostic("q", &source).to_string();
+        assert!(line("through a right").contains("q.toml:2:26"), "{}", line("through a right"));
+        assert!(line("the sphere").contains("q.toml:2:9"), "{}", line("the sphere"));
+        assert!(line("Turned").contains("q.toml:1:10"), "{}", line("Turned"));
     }
 
     #[test]
