@@ -1,12 +1,12 @@
 //! Is each thing that the words of a part request found by an answer, and is anything requested at all?
 
 use super::requests::{Request, Thing, requests, thing};
-use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
+use super::sentence::{Sentence, Token, in_order, is_one_of, is_supposed, says, sentences};
 use super::units::{Stated, stated};
 use crate::answer::Kind;
 use crate::bank::{Answer, Code, Find, Part, Question, Style};
 use crate::examine::Finding;
-use crate::expr::{Expr, Piece, print};
+use crate::expr::{Expr, Piece, Relation, print};
 use crate::mechanics::Quantity;
 
 /// Things that are requested and that no answer finds, and answers of another form than that in which they are requested.
@@ -21,13 +21,13 @@ pub fn unfound(question: &Question) -> Vec<Finding> {
             size_of_a_vector(part, &asked),
             speed_of_a_vector(part, &asked),
             explained(part, &said),
-            called_a_velocity(part),
             given(question, &asked),
             in_terms_of_numbers(question, &asked),
             other_line(part, &asked),
             other_unit(part),
         ];
         findings.extend(found.into_iter().flatten().map(|found| found.at_row(place, "answers", 0)));
+        findings.extend(called_a_velocity(place, part));
     }
     findings
 }
@@ -116,18 +116,19 @@ fn speed_of_a_vector(part: &Part, asked: &[Sentence]) -> Option<Finding> {
 }
 
 /// An answer by the name of `velocity` that is a speed.
-fn called_a_velocity(part: &Part) -> Option<Finding> {
-    let is_speed = |answer: &&Answer| match answer.find {
+fn called_a_velocity(place: usize, part: &Part) -> Option<Finding> {
+    let is_speed = |answer: &Answer| match answer.find {
         Find::Quantity(quantity) => matches!(quantity.of_its_impact(), Quantity::Speed(..)),
         _ => false,
     };
-    let is_called = |answer: &&Answer| {
+    let is_called = |answer: &Answer| {
         let name = sentences(&answer.name);
         name.iter().any(|name| says(name, &["velocity"]) && !says(name, &["magnitude", "size"]))
     };
-    let name = part.answers.iter().filter(is_speed).find(is_called).map(|answer| print::text_unicode(&answer.name))?;
+    let row = part.answers.iter().position(|answer| is_speed(answer) && is_called(answer))?;
+    let name = print::text_unicode(&part.answers[row].name);
     let found = Finding::new(format!("the answer `{name}` is a speed"), "", "without its direction");
-    Some(found.with_help("call it a speed, or find the velocity").as_warning())
+    Some(found.with_help("call it a speed, or find the velocity").at_row(place, "answers", row).as_warning())
 }
 
 /// `Explain why`, `show that`, where no answer is of that kind.
@@ -162,14 +163,31 @@ fn given(question: &Question, asked: &[Sentence]) -> Option<Finding> {
     let is_given = |name: &str| question.styles.iter().any(|style| style.parameters.iter().any(|(own, _)| own == name));
     let name = asked.iter().flat_map(|sentence| sentence.windows(3)).find_map(|words| match words {
         [value, of, Token::Number(Expr::Name(name), ..)]
-            if is_one_of(value, &["value", "values"]) && is_one_of(of, &["of"]) && is_given(&name.text) =>
+            if is_one_of(value, &["value", "values"]) && is_one_of(of, &["of"]) =>
         {
-            Some(name.text.clone())
+            Some(name.text.as_str()).filter(|name| is_given(name) || is_told(question, name))
         }
         _ => None,
     })?;
-    let message = format!("the words ask for the value of `{name}`, which the paper prints as a number");
+    let told = if is_given(name) { "the paper prints as a number" } else { "they tell themselves" };
+    let message = format!("the words ask for the value of `{name}`, which {told}");
     Some(Finding::new(message, "", "it is given").with_help("ask for what the answers are"))
+}
+
+/// `Where {tan(theta) = t}`: do the words before the parts say what a letter is, by what is given?
+fn is_told(question: &Question, name: &str) -> bool {
+    let is_open = |expr: &Expr| expr.names().iter().any(|name| question.scene.unknowns.contains(&name.text));
+    let tells = |piece: &&Piece| match piece {
+        Piece::Formula(Expr::Relation(left, Relation::Equal, right)) => {
+            left.names().iter().map(|name| name.text.as_str()).eq([name]) && !is_open(left) && !is_open(right)
+        }
+        _ => false,
+    };
+    question.styles.iter().all(|style| {
+        let mut pieces = Vec::new();
+        style.stem.iter().for_each(|text| in_order(&text.0, &mut pieces));
+        pieces.iter().any(tells)
+    })
 }
 
 /// `Find, in terms of {u}`, where that is a number on every sheet.
@@ -270,8 +288,15 @@ mod tests {
         let energy = "Find the total kinetic energy lost in the collision.";
         let vector = "Find a vector parallel to the line of centres of";
         let back = "backwards/velocity-of-b-and-line-of-centres";
-        let table: [(&str, Edits, &str); 37] = [
+        let turned = "ranges/turned-back-by-an-oblique-impact";
+        let table: [(&str, Edits, &str); 39] = [
             (line, &[], ""),
+            (turned, &[], ""),
+            (
+                turned,
+                &[("ask = \"", "ask = \"Find the value of {alpha}. ")],
+                "value of `alpha`, which they tell themselves",
+            ),
             (line, &[(speed, "Find, in terms of {u}, the speed of *B*.")], "in terms of `u`, which the paper prints"),
             (line, &[(speed, "Find the speed of *B* in terms of {mA}.")], "in terms of `mA`"),
             ("rest-letters/direction-and-deflection", &[], ""),

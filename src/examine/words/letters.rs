@@ -81,7 +81,11 @@ fn unknown(question: &Question) -> Vec<Finding> {
             };
             findings.extend(letters.filter(|letter| !is_said(letter)).map(|letter| {
                 let message = format!("the words never say what `{letter}` is, and ask to show what it comes to");
-                let help = format!("say it in the stem, as in `makes an acute angle {{{letter}}} with …`");
+                let is_angle = question.scene.symbols.get(letter).is_some_and(|range| range == "acute");
+                let help = match is_angle {
+                    true => format!("say it in the stem, as in `makes an acute angle {{{letter}}} with …`"),
+                    false => format!("say it before the result, as in `is {{{letter}}}, where {{display: result}}`"),
+                };
                 let found = Finding::new(message, "", "a student cannot know it");
                 found.with_help(help).at_row(place, "answers", row).as_warning()
             }));

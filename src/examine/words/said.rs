@@ -2,7 +2,7 @@
 
 use super::said_of_walls::STRUCK;
 use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, noun_of, owner_of, says, sentences, subject};
-use crate::bank::{Question, Style};
+use crate::bank::{Answer, Question, Style};
 use crate::examine::Finding;
 use crate::examine::remark::numbers;
 use crate::expr::{Angles, Expr, Meaning, Text, evaluate, print, read, written};
@@ -148,6 +148,9 @@ impl<'v> Seen<'v> {
                 continue;
             }
             let moment = moment(sentence, place);
+            if noun == Noun::Speed && self.is_to_be_shown(expr, sphere) {
+                continue;
+            }
             let Some((said, other)) = self.compared(noun, sphere, moment, expr, &sentence[place + 1..]) else {
                 continue;
             };
@@ -165,6 +168,13 @@ impl<'v> Seen<'v> {
             let help = format!("name in the words what `[scene]` has for `{sphere}`, or change it there");
             findings.push(self.finding(message, &format!("{lead}{{{shown}"), &help));
         }
+    }
+
+    /// Is it the letter that a part shows to be the speed of a sphere?
+    fn is_to_be_shown(&self, expr: &Expr, sphere: Sphere) -> bool {
+        let is_its = |quantity: &Quantity| quantity.of_its_impact().sphere() == Some(sphere);
+        let shows = |answer: &Answer| answer.show.as_ref() == Some(expr) && answer.find.quantities().iter().any(is_its);
+        self.question.parts.iter().flat_map(|part| &part.answers).any(shows)
     }
 
     /// Where there is but one sphere, what is an angle is its angle.
@@ -282,9 +292,13 @@ pub(super) fn told_before(sentence: &[Token], place: usize) -> Option<(usize, Mo
     (0..place).rev().find_map(|at| time(sentence, at))
 }
 
-/// The time of which a word tells. `As before` and `than before` tell of none.
+/// The time of which a word tells. `As before`, `than before` and `perpendicular to its direction before` tell of none.
 fn time(sentence: &[Token], at: usize) -> Option<(usize, Moment)> {
-    let is_compared = at > 0 && is_one_of(&sentence[at - 1], &["as", "than"]);
+    let is_beside = |[to, _, noun]: &[Token; 3]| {
+        is_one_of(to, &["to"]) && is_one_of(noun, &["direction", "motion", "path", "velocity"])
+    };
+    let is_compared = at > 0 && is_one_of(&sentence[at - 1], &["as", "than"])
+        || sentence[..at].last_chunk::<3>().is_some_and(is_beside);
     match &sentence[at] {
         Token::Word(word) if word == "before" && !is_compared => Some((at, Moment::Before)),
         Token::Word(word) if AFTERWARDS.contains(&word.as_str()) => Some((at, Moment::After)),

@@ -1,5 +1,6 @@
 //! Numbers that stand in the words as they are, without a name: does anything in the scene have them?
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use super::given::{names_in, names_of_scene, said_in};
@@ -7,7 +8,8 @@ use super::said::Seen;
 use super::sentence::{Sentence, Token, is_one_of};
 use crate::answer::Kind;
 use crate::examine::Finding;
-use crate::expr::{Expr, Relation, Turn, print};
+use crate::expr::{Expr, Relation, Turn, print, written};
+use crate::number::Value;
 use crate::unit::Unit;
 
 impl Seen<'_> {
@@ -55,6 +57,12 @@ impl Seen<'_> {
                     };
                     let is_below = matches!(relation, Relation::Less | Relation::LessOrEqual) && bound <= 0.0;
                     let is_above = matches!(relation, Relation::Greater | Relation::GreaterOrEqual) && bound >= 1.0;
+                    if let Some(has) = self.excluded(&name.text, *relation, bound) {
+                        let message = format!("the words say that `{}`, and it is {has}", print::plain(expr));
+                        let help = "mend the bound in the words, or require numbers for which it is so";
+                        findings.push(self.finding(message, &format!("{lead}{{{}", name.text), help));
+                        continue;
+                    }
                     let is_outside = match range(&name.text) {
                         Some("unit") => is_below || is_above,
                         Some("positive" | "acute") => is_below,
@@ -74,6 +82,29 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, &help));
             }
         }
+    }
+
+    /// What is found for a letter, one value or a range of them, where none of it is on this side of a bound.
+    fn excluded(&self, name: &str, relation: Relation, bound: f64) -> Option<String> {
+        let solution = &self.variant.solution;
+        let (side, may_be_equal) = match relation {
+            Relation::Less => (Ordering::Less, false),
+            Relation::LessOrEqual => (Ordering::Less, true),
+            Relation::Greater => (Ordering::Greater, false),
+            Relation::GreaterOrEqual => (Ordering::Greater, true),
+            _ => return None,
+        };
+        let is_beyond = |value: &Value, is_reached: bool| {
+            let place = value.to_f64()?.partial_cmp(&bound)?;
+            Some(place != side && !(place.is_eq() && may_be_equal && is_reached))
+        };
+        if let Some((_, value)) = solution.found().iter().find(|(letter, _)| letter.name() == name) {
+            return is_beyond(value, true)?.then(|| print::unicode(&written(value)));
+        }
+        let values = solution.range().filter(|values| values.letter.name() == name)?;
+        let nearest = if side.is_lt() { &values.span.low } else { &values.span.high };
+        let end = nearest.as_ref()?;
+        is_beyond(&end.value, end.included)?.then(|| print::unicode(&values.written()))
     }
 
     /// Letters that an answer has, and that the words never give.

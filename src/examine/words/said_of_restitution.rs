@@ -55,7 +55,7 @@ impl Seen<'_> {
                 let message =
                     format!("the words give the coefficient of restitution `{shown}` where the scene gives it {has}");
                 let help = "name in the words the `e` that `[scene]` has for this impact, or change it there";
-                findings.push(self.finding(message, lead, help));
+                findings.push(self.finding(message, &format!("{lead}{{{shown}"), help));
             }
         }
     }

@@ -86,7 +86,12 @@ impl Seen<'_> {
         if !is_named || says(sentence, &["than"]) || !self.question.scene.then.is_empty() || self.is_alone() {
             return;
         }
-        let beside = sentence[at + 1..].iter().take(2).chain(sentence[..at].iter().rev().take(3));
+        // `The heavier sphere is *B*` names it after its verb, and `the heavier sphere strikes *B*` does not.
+        let follows = match &sentence[at + 1..] {
+            [_, is, named, ..] if is_one_of(is, &["is"]) => std::slice::from_ref(named),
+            next => &next[..next.len().min(2)],
+        };
+        let beside = follows.iter().chain(sentence[..at].iter().rev().take(3));
         let sphere = beside.into_iter().find_map(|token| match token {
             Token::Sphere(sphere) => Some(*sphere),
             _ => None,

@@ -6,6 +6,7 @@ use std::cmp::Ordering;
 use super::said::Seen;
 use super::said_of_conditions::MEND;
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
+use super::truth::is_at_rest;
 use crate::examine::Finding;
 use crate::expr::{Relation, print};
 use crate::mechanics::{Axis, Condition, Moment, Quantity, Sphere};
@@ -174,6 +175,18 @@ impl Seen<'_> {
         if is_compared {
             return;
         }
+        if is_at_rest(self.variant, sphere) == Some(true) {
+            let name = sphere.name();
+            let message =
+                format!("the words say that the path of `*{name}*` is turned, and `*{name}*` is at rest before");
+            let at = through(&sentence[at + 1..]);
+            findings.push(self.finding(
+                message,
+                &at,
+                "name the sphere that moves, or give this one a velocity in `[scene]`",
+            ));
+            return;
+        }
         let Some((dot, cross)) = self.products(sphere) else { return };
         let is_so = match (said == 90.0, dot.to_f64(), cross.to_f64()) {
             (is_right, ..) if is_right || dot.is_zero() => is_right && dot.is_zero(),
@@ -183,11 +196,7 @@ impl Seen<'_> {
         if !is_so {
             let message =
                 format!("the words say that `*{}*` is turned through {said}°, and it is not so", sphere.name());
-            let said = sentence[at + 1..].iter().map_while(|token| match token {
-                Token::Word(word) => Some(word.as_str()),
-                _ => None,
-            });
-            let at = ["through"].into_iter().chain(said.take(3)).collect::<Vec<_>>().join(" ");
+            let at = through(&sentence[at + 1..]);
             findings.push(self.finding(message, &at, "require the angle that is said, or say another"));
         }
     }
@@ -262,4 +271,19 @@ impl Seen<'_> {
             |condition: &&Condition| after.contains(&print::plain(&condition.left)) && condition.right.is_zero();
         Some(self.variant.scene.conditions.iter().find(of_it)?.relation)
     }
+}
+/// Where the words `through …` stand: up to the number, or the next words.
+fn through(after: &[Token]) -> String {
+    let number = after.iter().take(5).find_map(|token| match token {
+        Token::Number(expr, _, lead) => Some(format!("{lead}{{{}", print::plain(expr))),
+        _ => None,
+    });
+    let words = || {
+        let words = after.iter().map_while(|token| match token {
+            Token::Word(word) => Some(word.as_str()),
+            _ => None,
+        });
+        ["through"].into_iter().chain(words.take(3)).collect::<Vec<_>>().join(" ")
+    };
+    number.unwrap_or_else(words)
 }

@@ -342,6 +342,38 @@ fn words_that_the_scene_contradicts_are_found() {
             "`*B*` is the lighter sphere",
         ),
         ("rest/heavier-sphere-struck", "respectively. Sphere *B* is", "respectively. The heavier sphere *B* is", ""),
+        (
+            "rest/heavier-sphere-struck",
+            "Sphere *B* is",
+            "The heavier sphere is *A*. *B* is",
+            "`*A*` is the heavier sphere",
+        ),
+        ("rest/heavier-sphere-struck", "Sphere *B* is", "The heavier sphere is *B*. *B* is", ""),
+        (
+            "ranges/direction-reversed",
+            "spheres is {e}.",
+            "spheres is {e}, where {e < 1/20}.",
+            "say that `e < 1/20`, and it is",
+        ),
+        ("ranges/direction-reversed", "spheres is {e}.", "spheres is {e}, where {e > 1/20}.", ""),
+        (
+            "walls/turned-through-a-right-angle",
+            "a right angle.\n",
+            "a right angle, where {e < 1/20}.\n",
+            "`e < 1/20`, and it is",
+        ),
+        (
+            "rest-letters/turned-through-a-right-angle",
+            "the direction of motion of *A* is turned",
+            "the direction of motion of *B* is turned",
+            "the path of `*B*` is turned, and `*B*` is at rest before",
+        ),
+        (
+            "vector-impulse/mass-from-the-speed-after",
+            "Its speed immediately after the impulse is {v m/s}.",
+            "Immediately after, its path is not perpendicular to its path before, and *A* has speed {v m/s}.",
+            "",
+        ),
         ("deflection/equal-masses", "{e < 1}", "{e > 1}", "say that `e > 1`, and the scene declares it `unit`"),
         ("vector-impulse/size-of-the-impulse", "is a positive constant", "is a negative constant", "k is negative"),
         (
@@ -543,4 +575,23 @@ fn assert_said(table: &[(&str, &str, &str, &str)]) {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn a_letter_for_what_is_to_be_shown_is_no_other_value() {
+    let ask = "taking the direction of motion of *A* before it as positive.";
+    let shown = |sphere: &str| format!("Show that the speed of *{sphere}* is then {{v}}, where {{display: result}}");
+    let found = |sphere: &str| {
+        said(
+            "direct/velocities-in-letters",
+            &[
+                (ask, &shown(sphere)),
+                ("e = \"unit\"", "e = \"unit\"\nv = \"positive\""),
+                ("find = \"A.after.n\", accept = \"exact\"", "find = \"A.after.n\", kind = \"shown\", show = \"v\""),
+                ("\"A1\", for = \"A.after.n\"", "\"A1*\", for = \"A.after.n\""),
+            ],
+        )
+    };
+    assert_eq!(found("A"), "");
+    assert!(found("B").contains("give `*B*` the speed `v`"), "{}", found("B"));
 }

@@ -5,7 +5,7 @@ use super::sentence::in_order;
 use super::units::typed_unit;
 use crate::bank::Question;
 use crate::examine::Finding;
-use crate::expr::{Piece, Text, print};
+use crate::expr::{Angles, Expr, Piece, Text, print, read};
 use crate::unit::Unit;
 
 /// Masses, speeds and angles that the words give in plain digits, where no formula of the scene has them.
@@ -41,6 +41,11 @@ fn letters(text: &Text, question: &Question) -> Vec<Finding> {
         let is_short = word.len() == 1 && !["a", "i"].contains(&word);
         symbols.get(word).is_some_and(|range| is_short || range == "acute")
     };
+    // A Greek letter may be typed as it is.
+    let name_of = |letter: &str| match read(letter, Angles::Degrees) {
+        Ok(Expr::Name(name)) if !letter.is_ascii() => name.text,
+        _ => letter.to_owned(),
+    };
     let mut pieces = Vec::new();
     in_order(&text.0, &mut pieces);
     let mut findings = Vec::new();
@@ -50,15 +55,15 @@ fn letters(text: &Text, question: &Question) -> Vec<Finding> {
         for word in words.split_whitespace() {
             let bare = word.trim_matches(|sign: char| !sign.is_alphanumeric());
             let letter = bare.trim_start_matches(|sign: char| sign.is_ascii_digit());
+            let name = name_of(letter);
             // `2 m` is a length.
             let is_unit = before.ends_with(|sign: char| sign.is_ascii_digit());
-            if is_letter(letter) && !is_unit {
+            if is_letter(&name) && !is_unit {
                 let factor = bare.strip_suffix(letter).filter(|factor| !factor.is_empty());
                 let times = factor.map_or_else(String::new, |factor| format!("{factor}*"));
-                let message =
-                    format!("the words give `{bare}` without braces, and `{letter}` is a letter of the scene");
+                let message = format!("the words give `{bare}` without braces, and `{name}` is a letter of the scene");
                 let found = Finding::new(message, format!("{before} {word}"), "no formula");
-                findings.push(found.with_help(format!("write `{{{times}{letter}}}`")).as_warning());
+                findings.push(found.with_help(format!("write `{{{times}{name}}}`")).as_warning());
             }
             before = word;
         }
@@ -109,7 +114,7 @@ mod tests {
     #[test]
     fn numbers_and_letters_stand_in_braces() {
         let (rest, wall) = ("rest/speeds-and-directions", "walls/restitution-from-two-angles");
-        let table: [(&str, Edits, &str); 9] = [
+        let table: [(&str, Edits, &str); 10] = [
             (rest, &[], ""),
             (rest, &[("{u m/s} and", "4 m/s and")], "give `4 m/s` in plain digits"),
             (rest, &[("{alpha deg} with", "30 degrees with")], "give `30 degrees` in plain digits"),
@@ -119,6 +124,7 @@ mod tests {
             (wall, &[("mass {m} is", "mass m is")], "give `m` without braces"),
             (wall, &[("mass {m} is", "mass 2m is")], "give `2m` without braces"),
             (wall, &[("angle {alpha} with", "angle alpha with")], "give `alpha` without braces"),
+            (wall, &[("angle {alpha} with", "angle α with")], "give `α` without braces"),
         ];
         for (id, edits, words) in table {
             let said: String =
