@@ -104,7 +104,8 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
     match spans.len() {
         0 => return Err(Refusal::impossible(format!("the conditions hold for no value of {name}"))),
         1 if spans[0] == Span::of(unknown.range()) => {
-            return Err(Refusal::underdetermined(format!("the conditions hold whatever {name} is")));
+            let holds = Refusal::underdetermined(format!("the conditions hold whatever {name} is"));
+            return Err(holds.try_this("give a condition that only some values meet, such as `A.after.n < 0`"));
         }
         1 => match (&spans[0].low, &spans[0].high) {
             (Some(low), Some(high)) if low.value.equals(&high.value) => {
@@ -117,7 +118,8 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
         _ => {
             let all = spans.drain(..).map(|span| Values { letter: *unknown, span });
             let all: Vec<String> = all.map(|values| print::unicode(&values.written())).collect();
-            return Err(Refusal::beyond(format!("the values of {name} are not in one piece: {}", all.join(", or "))));
+            let pieces = Refusal::beyond(format!("the values of {name} are not in one piece: {}", all.join(", or ")));
+            return Err(pieces.try_this("give one more condition, which only one of the pieces meets"));
         }
     }
     Ok(Values { letter: *unknown, span: spans.remove(0) })
