@@ -1,7 +1,7 @@
 //! Do the words ask for what the answers are, and speak of what the scene has?
 
 use super::asked_units::stated_otherwise;
-use super::sentence::{Token, is_one_of, is_supposed, sentences};
+use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Part, Question};
 use crate::examine::Finding;
@@ -114,6 +114,9 @@ fn extremes(question: &Question) -> Option<Finding> {
         })
     };
     if let Some(maximise) = &scene.maximise {
+        if let Some(found) = greatest_of_another(maximise, &sentences) {
+            return Some(found);
+        }
         let said = word(&LEAST)?;
         let message = format!("the words say `{said}`, and the scene makes `{maximise}` as large as possible");
         let other = if said.starts_with("as ") { "as large as possible" } else { "greatest" };
@@ -143,6 +146,32 @@ fn extremes(question: &Question) -> Option<Finding> {
         (false, false) => return None,
     };
     Some(Finding::new(message, said, label).with_help(help).as_warning())
+}
+
+/// The greatest deflection of one sphere, where the scene makes that of another so.
+fn greatest_of_another(maximise: &str, sentences: &[Sentence]) -> Option<Finding> {
+    let is_of_turning = |quantity: &Quantity| {
+        matches!(quantity, Quantity::Deflection(_) | Quantity::SignedDeflection(_) | Quantity::TanDeflection(_))
+    };
+    let own = maximise.parse::<Quantity>().ok().filter(is_of_turning)?.sphere()?;
+    let is_great = |sentence: &&Sentence| {
+        says(sentence, &[&GREATEST[..], &["large", "great"]].concat())
+            && says(sentence, &["deflection", "deflected", "turned"])
+    };
+    let named = |sentence: &Sentence| {
+        let spheres = sentence.iter().filter_map(|token| match token {
+            Token::Sphere(sphere) => Some(*sphere),
+            _ => None,
+        });
+        spheres.collect::<Vec<Sphere>>()
+    };
+    let other =
+        sentences.iter().filter(is_great).map(named).find(|named| !named.is_empty() && !named.contains(&own))?[0];
+    let (own, other) = (own.name(), other.name());
+    let message =
+        format!("the words speak of the greatest deflection of `*{other}*`, and the scene makes that of `*{own}*` so");
+    let found = Finding::new(message, format!("of *{other}*"), "another sphere");
+    Some(found.with_help(format!("name `*{own}*`, or what is of `{other}` in `maximise`")))
 }
 
 /// All words that a student reads.
@@ -315,7 +344,7 @@ mod tests {
     fn what_is_as_large_as_can_be_is_so_in_the_scene() {
         let greatest = "deflection/greatest-deflection";
         let range = "ranges/direction-reversed";
-        let table: [(&str, Edits, &str); 10] = [
+        let table: [(&str, Edits, &str); 11] = [
             (greatest, &[], ""),
             ("deflection/equal-masses", &[], ""),
             (
@@ -325,6 +354,7 @@ mod tests {
             ),
             (greatest, &[("greatest", "least")], "say `least`, and the scene makes `A.tan_deflection` as large"),
             (greatest, &[("*A* is greatest", "*A* is smallest")], "say `smallest`"),
+            (greatest, &[("*A* is greatest", "*B* is greatest")], "greatest deflection of `*B*`"),
             ("deflection/elastic", &[("greatest angle", "minimum angle")], "say `minimum`"),
             (range, &[("set of possible values", "greatest possible value")], "the answer is a set of values"),
             (range, &[("possible values of {e}.", "possible values of {e}, in lowest terms.")], ""),

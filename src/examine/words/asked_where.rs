@@ -1,7 +1,7 @@
 //! Of which impact an energy, an impulse or a coefficient of restitution is asked for, where there are several: `at the
 //! second wall`, `in the collision between *B* and *C*`.
 
-use super::impacts::{impacts, wall_named};
+use super::impacts::{impacts, ordinal, wall_named};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, sentences};
 use crate::answer::Kind;
 use crate::bank::Question;
@@ -68,6 +68,7 @@ fn named(scene: &SceneText, texts: &[Text]) -> Vec<u8> {
             let is_met = lead.is_some_and(|lead| is_one_of(lead, &MET));
             named.extend(wall_named(scene, &sentence[place..]).filter(|_| is_met));
             named.extend(between(scene, &sentence[place..]));
+            named.extend(nth_impact(scene, &sentence[place..]));
         }
     }
     named
@@ -76,6 +77,16 @@ fn named(scene: &SceneText, texts: &[Text]) -> Vec<u8> {
 /// Words that lead to a wall that is struck; what lies `near the wall` is not.
 const MET: [&str; 14] =
     ["at", "with", "by", "on", "of", "between", "and", "that", "strikes", "strike", "struck", "hits", "hit", "hitting"];
+
+/// The impact that words number: `in the second impact`, which is not `the second collision between *A* and *B*`.
+fn nth_impact(scene: &SceneText, words: &[Token]) -> Option<u8> {
+    let [at, the, nth, impact, rest @ ..] = words else { return None };
+    let is_said = is_one_of(at, &["in", "at", "during", "of", "by"]) && is_one_of(the, &["the"]);
+    let is_impact = is_one_of(impact, &["impact", "collision"]);
+    let is_of_some = rest.first().is_some_and(|next| is_one_of(next, &["between", "with", "of"]));
+    let number = u8::try_from(ordinal(nth)?).ok().filter(|_| is_said && is_impact && !is_of_some)?;
+    impacts(scene).iter().map(|impact| impact.number).find(|there| *there == number)
+}
 
 /// The only impact of two spheres that words begin with: `between *B* and *C*`.
 fn between(scene: &SceneText, words: &[Token]) -> Option<u8> {
@@ -98,8 +109,10 @@ mod tests {
     fn an_energy_or_an_impulse_is_of_the_impact_that_is_named() {
         let (corner, line) = ("successive/corner", "successive/three-in-a-line");
         let wall = "successive/struck-onto-a-wall";
-        let table: [(&str, Edits, &str); 9] = [
+        let table: [(&str, Edits, &str); 11] = [
             (corner, &[], ""),
+            (corner, &[("loses at the second wall", "loses in the first impact")], "of the first impact"),
+            (corner, &[("loses at the second wall", "loses in the second impact")], ""),
             (
                 corner,
                 &[("loses at the second", "loses at the first")],

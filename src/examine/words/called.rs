@@ -2,7 +2,7 @@
 
 use super::given::unit_of;
 use super::requests::{Thing, thing};
-use super::sentence::{BETWEEN, Sentence, Token, is_one_of, sentences};
+use super::sentence::{BETWEEN, Noun, Sentence, Token, is_one_of, noun_of, sentences};
 use crate::bank::Question;
 use crate::examine::Finding;
 use crate::expr::print;
@@ -27,6 +27,9 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
 /// The number at a place, if what it is called is not what it is.
 fn called(scene: &SceneText, sentence: &Sentence, place: usize) -> Option<Finding> {
     let Token::Number(expr, said, _) = &sentence[place] else { return None };
+    if let Some(found) = in_another_unit(scene, sentence, place) {
+        return Some(found);
+    }
     let unit = if *said == Unit::None { unit_of(expr, scene) } else { *said };
     let is_between = |token: &Token| {
         matches!(token, Token::Sphere(_)) || is_one_of(token, &BETWEEN) || is_one_of(token, &["between"])
@@ -57,6 +60,30 @@ fn called(scene: &SceneText, sentence: &Sentence, place: usize) -> Option<Findin
     Some(found.with_help("call it what it is, or print the number that is meant"))
 }
 
+/// A mass in metres, a speed in kilograms: of a formula that is no quantity of the scene by itself.
+fn in_another_unit(scene: &SceneText, sentence: &Sentence, place: usize) -> Option<Finding> {
+    let Token::Number(expr, said, _) = &sentence[place] else { return None };
+    let (at, noun, _) = noun_of(sentence, place)?;
+    let own = match noun {
+        Noun::Mass => Unit::Kilogram,
+        Noun::Speed | Noun::Velocity => Unit::MetrePerSecond,
+        Noun::Angle => Unit::Degree,
+        Noun::Radius => Unit::Metre,
+    };
+    let Token::Word(noun) = &sentence[at] else { return None };
+    if *said == Unit::None || *said == own || unit_of(expr, scene) != Unit::None {
+        return None;
+    }
+    let (name, unit) = (print::plain(expr), said.plain());
+    let message = format!("the words give `{name}` as `{noun}`, in {unit}");
+    let help = match *said == Unit::Metre && scene.symbols.contains_key("m") {
+        true => format!("write `{{{name}*m}}` for {name} times the letter *m*"),
+        false => format!("write `{{{name} {}}}`, or call it what it is", own.plain()),
+    };
+    let found = Finding::new(message, format!("{{{name} {unit}}}"), format!("expected {}", own.plain()));
+    Some(found.with_help(help))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -67,7 +94,7 @@ mod tests {
         let rest = "rest/speeds-and-directions";
         let speed = "the speed of *A* is {u m/s}";
         let impulse = ("vector-impulse/velocity-after-an-impulse", "receives an impulse of");
-        let table: [(&str, Edits, &str); 9] = [
+        let table: [(&str, Edits, &str); 10] = [
             (rest, &[], ""),
             (impulse.0, &[], ""),
             (impulse.0, &[(impulse.1, "receives a momentum of")], ""),
@@ -75,6 +102,7 @@ mod tests {
             (rest, &[(speed, "the kinetic energy of *A* is {u m/s}")], "give `u` as `energy`, and it is a speed"),
             (rest, &[(speed, "*A* has momentum {u m/s}")], "give `u` as `momentum`, and it is a speed"),
             (rest, &[(speed, "*A* has momentum {u}")], "give `u` as `momentum`, and it is a speed"),
+            ("ranges/mass-ratio-when-a-goes-on", &[("{k*m} and", "{k m} and")], "give `k` as `masses`, in m"),
             (rest, &[(speed, "the kinetic energy of *A* is great, as it moves at {u m/s}")], ""),
             (rest, &[("*A*, of mass {mA kg}", "*A*, of weight {mA kg}")], "give `mA` as `weight`, and it is a mass"),
         ];

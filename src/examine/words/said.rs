@@ -24,7 +24,9 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             before = only_subject(&sentence).or(before.filter(|_| speaks_of_it(&sentence)));
             seen.parallel(&sentence, &mut findings);
             seen.equations(&sentence, &mut findings);
+            seen.walls(&sentence, &mut findings);
             seen.coefficients(&sentence, &mut findings);
+            seen.collisions(&sentence, &mut findings);
             seen.kind(&sentence, &mut findings);
             seen.turned_back(&sentence, &mut findings);
             seen.rebounding(&sentence, &mut findings);

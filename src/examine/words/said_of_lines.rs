@@ -17,6 +17,10 @@ enum Lies {
     Wall(Option<usize>),
 }
 
+fn is_walls(token: &Token) -> bool {
+    is_one_of(token, &["walls"])
+}
+
 /// Are two directions parallel, or else perpendicular?
 pub(super) fn do_lie([x, y]: [Value; 2], [p, q]: [Value; 2], are_parallel: bool) -> bool {
     let turned = if are_parallel { &(&x * &q) - &(&y * &p) } else { &(&x * &p) + &(&y * &q) };
@@ -81,6 +85,43 @@ impl Seen<'_> {
             let message = format!("the words say that the line of centres is {how} to the wall, and it is not");
             let help = "say how they lie in `[scene]`, or turn one of them there";
             findings.push(self.finding(message, &format!("{how} to the wall"), help));
+        }
+    }
+
+    /// Two walls that are said to be parallel to each other, or perpendicular: `perpendicular walls`, `walls that meet at
+    /// right angles`.
+    pub(super) fn walls(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let how = |token: &Token| match token {
+            token if is_one_of(token, &["parallel"]) => Some(true),
+            token if is_one_of(token, &["perpendicular"]) => Some(false),
+            _ => None,
+        };
+        let Some(walls) = sentence.iter().position(is_walls) else { return };
+        let is_of_them = |token: &&Token| is_one_of(token, &["smooth", "fixed", "vertical"]);
+        let described = sentence[..walls].iter().rev().find(|token| !is_of_them(token));
+        let described = described.and_then(|token| Some((token, how(token)?)));
+        let after = &sentence[walls + 1..];
+        let beside = after.windows(3).find_map(|words| {
+            let are_both = is_one_of(&words[1], &["to"]) && is_one_of(&words[2], &["each", "one"]);
+            Some((&words[0], how(&words[0])?)).filter(|_| are_both)
+        });
+        let across = || {
+            let is_right =
+                |pair: &[Token]| is_one_of(&pair[0], &["right"]) && is_one_of(&pair[1], &["angle", "angles"]);
+            let at = after.windows(2).position(is_right)?;
+            // `It meets one of them at right angles` is of its path.
+            let meet =
+                after[..at].iter().all(|token| is_one_of(token, &["that", "which", "meet", "are", "stand", "at", "a"]));
+            let is_of_them = after.get(at + 2).is_none_or(|next| !is_one_of(next, &["to"])) && meet;
+            is_of_them.then_some((&after[at], false))
+        };
+        let Some((Token::Word(word), are_parallel)) = described.or(beside).or_else(across) else { return };
+        let lies = |nth| self.lies(Lies::Wall(Some(nth)));
+        let (Some(one), Some(other), None) = (lies(0), lies(1), lies(2)) else { return };
+        if !do_lie(one, other, are_parallel) {
+            let how = if are_parallel { "parallel to each other" } else { "at right angles" };
+            let message = format!("the words say that the walls are {how}, and in the scene they are not");
+            findings.push(self.finding(message, word, "say how they lie in `[scene]`, or turn a `wall` there"));
         }
     }
 

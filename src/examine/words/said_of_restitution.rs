@@ -60,6 +60,25 @@ impl Seen<'_> {
         }
     }
 
+    /// `*C* after its collision with *A*`, which never meet.
+    pub(super) fn collisions(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        if says(sentence, &["no", "not", "never", "further"]) {
+            return;
+        }
+        for (place, words) in sentence.windows(3).enumerate() {
+            let [collision, with, Token::Sphere(other)] = words else { continue };
+            let is_met = is_one_of(collision, &["collision", "impact"]) && is_one_of(with, &["with"]);
+            let owner = sentence[..place].iter().rev().find(|token| matches!(token, Token::Sphere(_)));
+            let Some(owner @ Token::Sphere(named)) = owner.filter(|_| is_met) else { continue };
+            let Some(strangers) = self.never_meet(&[owner.clone(), words[2].clone()]).filter(|_| named != other) else {
+                continue;
+            };
+            let message = format!("the words speak of a collision of {strangers}, and in the scene they do not meet");
+            let help = "name in the words those that meet in `[scene]`, or let others meet there with `of`";
+            findings.push(self.finding(message, &format!("with *{}*", other.name()), help));
+        }
+    }
+
     /// The words of a number that is given for the only coefficient there is, where a part asks for that.
     fn gives_what_is_asked(&self, words: &[Token]) -> Option<String> {
         let finds = |answer: &Answer| answer.find == Find::Quantity(Quantity::Restitution);

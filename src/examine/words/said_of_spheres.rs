@@ -44,15 +44,7 @@ impl Seen<'_> {
 
     /// Three spheres that are said to lie in an order: the one that meets both others lies between them.
     pub(super) fn order(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["order"])) else { return };
-        let is_that = at > 0 && is_one_of(&sentence[at - 1], &["that", "this"]);
-        let words = if is_that { &sentence[..at] } else { &sentence[at..] };
-        let sphere = |token: &Token| match token {
-            Token::Sphere(sphere) => Some(*sphere),
-            _ => None,
-        };
-        let named: Vec<Sphere> = words.iter().filter_map(sphere).take(3).collect();
-        let &[one, middle, other] = named.as_slice() else { return };
+        let Some((word, [one, middle, other])) = in_order(sentence).or_else(|| between(sentence)) else { return };
         let later = self.variant.scene.then.iter().map(|then| then.meeting).filter(|meeting| !meeting.with_wall);
         let meets = |[one, other]: [Sphere; 2]| {
             std::iter::once(Meeting::FIRST)
@@ -63,18 +55,23 @@ impl Seen<'_> {
             let (one, middle, other) = (one.name(), middle.name(), other.name());
             let message =
                 format!("the words put `*{middle}*` between `*{one}*` and `*{other}*`, which meet in the scene");
-            findings.push(self.finding(message, "order", "name the spheres in the order in which they lie"));
+            findings.push(self.finding(message, &word, "name the spheres in the order in which they lie"));
         }
     }
 
-    /// `speed {3*i + 2*j}`: a speed has no direction.
+    /// `speed {3*i + 2*j}`, `of magnitude {[p, q] N s}`: a size has no direction.
     pub(super) fn speed_of_a_vector(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         for (place, token) in sentence.iter().enumerate() {
             let Token::Number(expr, _, lead) = token else { continue };
             let is_speed = matches!(noun_of(sentence, place), Some((_, Noun::Speed, _)));
-            if is_speed && matches!(self.meaning(expr), Some(Meaning::Vector(..))) {
-                let message = format!("the words call the vector `{}` a speed", print::plain(expr));
-                findings.push(self.finding(message, lead, "write `velocity`, or give the speed alone"));
+            let is_size = place > 0 && is_one_of(&sentence[place - 1], &["magnitude", "size"]);
+            if (is_speed || is_size) && matches!(self.meaning(expr), Some(Meaning::Vector(..))) {
+                let (called, help) = match is_speed {
+                    true => ("speed", "write `velocity`, or give the speed alone"),
+                    false => ("magnitude", "leave `magnitude` out, or give the size alone"),
+                };
+                let message = format!("the words call the vector `{}` a {called}", print::plain(expr));
+                findings.push(self.finding(message, lead, help));
             }
         }
     }
@@ -199,4 +196,34 @@ fn are_typed_unlike(after: &[Token]) -> bool {
     });
     let numbers: Vec<f64> = numbers.collect();
     numbers.iter().any(|number| *number != numbers[0])
+}
+
+/// Three spheres `in the order *A*, *B*, *C*`, with the word that says so.
+fn in_order(sentence: &[Token]) -> Option<(String, [Sphere; 3])> {
+    let at = sentence.iter().position(|token| is_one_of(token, &["order"]))?;
+    let is_that = at > 0 && is_one_of(&sentence[at - 1], &["that", "this"]);
+    let words = if is_that { &sentence[..at] } else { &sentence[at..] };
+    let named: Vec<Sphere> = words.iter().filter_map(sphere).take(3).collect();
+    Some(("order".to_owned(), named.try_into().ok()?))
+}
+
+/// `*B* lies between *A* and *C*`: the three in the order of their line. A coefficient `between *A* and *B*` is of two.
+fn between(sentence: &[Token]) -> Option<(String, [Sphere; 3])> {
+    let place = |words: &[Token]| match words {
+        [middle, between, one, and, other] if is_one_of(between, &["between"]) && is_one_of(and, &["and"]) => {
+            Some([sphere(one)?, sphere(middle)?, sphere(other)?])
+        }
+        _ => None,
+    };
+    let lies: Vec<Token> =
+        sentence.iter().filter(|token| !is_one_of(token, &["is", "lies", "lying", "at", "rest"])).cloned().collect();
+    let found = lies.windows(5).find_map(place)?;
+    Some((format!("between *{}*", found[0].name()), found))
+}
+
+fn sphere(token: &Token) -> Option<Sphere> {
+    match token {
+        Token::Sphere(sphere) => Some(*sphere),
+        _ => None,
+    }
 }

@@ -23,6 +23,7 @@ fn words_that_the_scene_contradicts_are_found() {
     let catches = "direct/one-sphere-catches-the-other";
     let (moving, rest, line) =
         ("both-moving/energy-lost-and-impulse", "rest/speeds-and-directions", "collide directly.");
+    let three = "successive/three-in-a-line";
     let table = [
         (catches, "*B* is {w m/s}", "*B* is {w m/s}", ""),
         (catches, "{mA kg} and {mB kg}", "{mB kg} and {mA kg}", "give `*A*` the mass `mB`"),
@@ -342,6 +343,41 @@ fn words_that_the_scene_contradicts_are_found() {
             "`*B*` is the lighter sphere",
         ),
         ("rest/heavier-sphere-struck", "respectively. Sphere *B* is", "respectively. The heavier sphere *B* is", ""),
+        ("successive/corner", "meet at a\nright angle", "are perpendicular to each other", ""),
+        (
+            "successive/corner",
+            "that meet at a\nright angle",
+            "that are parallel to each other",
+            "the walls are parallel",
+        ),
+        ("successive/corner", "two smooth fixed", "two parallel smooth fixed", "the walls are parallel"),
+        (
+            "successive/walls-at-an-angle",
+            "vertical walls.",
+            "vertical walls that meet at right angles.",
+            "at right angles",
+        ),
+        (three, "lie in that order\nin a", "lie in a", ""),
+        (three, "lie in that order\nin a", "lie, with *B* between *A* and *C*, in a", ""),
+        (
+            three,
+            "lie in that order\nin a",
+            "lie, with *C* between *A* and *B*, in a",
+            "put `*C*` between `*A*` and `*B*`",
+        ),
+        (three, "after *A* has struck it.", "after its collision with *A*.", ""),
+        (
+            three,
+            "*C* immediately after they collide",
+            "*C* after its collision with *A*",
+            "collision of `*A*` and `*C*`",
+        ),
+        (
+            "vector-impulse/mass-from-the-speed-after",
+            "an impulse of\n",
+            "an impulse of magnitude\n",
+            "call the vector `[p, q]` a magnitude",
+        ),
         (
             "rest/heavier-sphere-struck",
             "Sphere *B* is",

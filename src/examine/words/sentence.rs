@@ -234,13 +234,13 @@ fn listed(before: &[Token]) -> Vec<Sphere> {
 
 /// The sphere to which `of mass`, `has mass` or `, with mass` is joined.
 fn beside(before: &[Token]) -> Option<Sphere> {
-    const JOINED: [&str; 8] = ["of", "has", "with", "a", "which", "is", "and", "having"];
+    const JOINED: [&str; 11] = ["of", "has", "with", "a", "which", "is", "and", "having", "equal", "same", "radius"];
     let joined = before.iter().rev().skip_while(|token| matches!(token, Comma) || is_one_of(token, &JOINED));
     match joined.collect::<Vec<_>>().as_slice() {
         // Of two in a row it is neither's alone.
         [Token::Sphere(_), Word(and), Token::Sphere(_), ..] if and == "and" => None,
         // `with the same radius as *A*, has mass`
-        [Token::Sphere(_), Word(like), ..] if like == "as" => None,
+        [Token::Sphere(_), Word(like), ..] if like == "as" || like == "to" => None,
         [Token::Sphere(owner), ..] => Some(*owner),
         _ => None,
     }
@@ -330,6 +330,8 @@ mod tests {
             ("The mass of *A* is {m kg} and the mass of the sphere *B* is {k kg}.", "m: Mass A, k: Mass B"),
             ("The spheres *A* and *B* are each of mass {m kg}.", ""),
             ("*A* is moving towards *B* with speed {u m/s}.", "u: Speed A"),
+            ("It strikes *B*, of equal radius and of mass {k kg}.", "k: Mass B"),
+            ("*A* has equal radius to *B* and mass {k kg}.", ""),
             (
                 "*A*, moving with speed {u m/s}, strikes *B*, which is moving with speed {w m/s}.",
                 "u: Speed A, w: Speed B",

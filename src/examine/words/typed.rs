@@ -17,6 +17,7 @@ pub fn beside_the_scene(question: &Question) -> Vec<Finding> {
         let asks = question.parts.iter().flat_map(|part| &part.ask);
         for text in style.stem.iter().chain([&style.note]).chain(asks) {
             findings.extend(letters(text, question));
+            findings.extend(in_pieces(text));
             for typed in quantities(text).into_iter().filter(|typed| !there.contains(&typed.digits)) {
                 let Typed { shown, digits, unit } = typed;
                 let message = format!("the words give `{shown}` in plain digits, and nothing in the scene has it");
@@ -71,6 +72,22 @@ fn letters(text: &Text, question: &Question) -> Vec<Finding> {
     findings
 }
 
+/// A vector that is put together from its components: one of them may be below nought, or one.
+fn in_pieces(text: &Text) -> Option<Finding> {
+    let mut pieces = Vec::new();
+    in_order(&text.0, &mut pieces);
+    let is_unit = |expr: &Expr| matches!(expr, Expr::Name(name) if ["i", "j"].contains(&name.text.as_str()));
+    let (number, vector) = pieces.windows(2).find_map(|pair| match pair {
+        [Piece::Formula(number), Piece::Formula(vector)] if is_unit(vector) && !is_unit(number) => {
+            Some((print::plain(number), print::plain(vector)))
+        }
+        _ => None,
+    })?;
+    let message = format!("the words put a vector together from `{{{number}}}` and `{{{vector}}}`");
+    let found = Finding::new(message, format!("{{{number}}}{{{vector}}}"), "it reads badly where a component is -1");
+    Some(found.with_help("write it in one, as in `{[p, q] m/s}`"))
+}
+
 /// A number with its unit that was typed.
 pub struct Typed {
     /// As it stands.
@@ -114,7 +131,7 @@ mod tests {
     #[test]
     fn numbers_and_letters_stand_in_braces() {
         let (rest, wall) = ("rest/speeds-and-directions", "walls/restitution-from-two-angles");
-        let table: [(&str, Edits, &str); 10] = [
+        let table: [(&str, Edits, &str); 11] = [
             (rest, &[], ""),
             (rest, &[("{u m/s} and", "4 m/s and")], "give `4 m/s` in plain digits"),
             (rest, &[("{alpha deg} with", "30 degrees with")], "give `30 degrees` in plain digits"),
@@ -125,6 +142,11 @@ mod tests {
             (wall, &[("mass {m} is", "mass 2m is")], "give `2m` without braces"),
             (wall, &[("angle {alpha} with", "angle alpha with")], "give `alpha` without braces"),
             (wall, &[("angle {alpha} with", "angle α with")], "give `α` without braces"),
+            (
+                "vector-impulse/mass-from-the-speed-after",
+                &[("{[x, y] m/s}", "({x}{i} + {y}{j}) m/s")],
+                "together from `{x}` and `{i}`",
+            ),
         ];
         for (id, edits, words) in table {
             let said: String =
