@@ -1,6 +1,6 @@
 //! The values that a parameter can take: a range or a list, from the text of a bank file.
 
-use crate::expr::{Angles, Expr, Fault, Span, read, read_as_written, written};
+use crate::expr::{Angles, Expr, Fault, Span, print, read, read_as_written, written};
 use crate::number::{Decimal, Fraction, Value};
 
 /// Finitely many values in a fixed order.
@@ -27,6 +27,9 @@ pub enum Domain {
     /// Expressions as they were written; at least one.
     List(Vec<Expr>),
 }
+
+/// A range of so many values is written out where it stands among others.
+const MOST_WRITTEN: u64 = 12;
 
 impl Domain {
     /// The values that were written out one by one; none of a range.
@@ -69,7 +72,15 @@ impl Domain {
                 .try_this(format!("write `{first}..{last}`")));
         }
         if let Some(values) = listed(text) {
-            let list = values.iter().map(|value| format!("\"{value}\"")).collect::<Vec<_>>().join(", ");
+            // A range among them is written out.
+            let each = values.iter().flat_map(|value| match Domain::range(value) {
+                Ok(Domain::Range { count, .. }) if count > MOST_WRITTEN => vec![(*value).to_owned()],
+                Ok(range @ Domain::Range { .. }) => {
+                    (0..range.size()).map(|place| print::plain(&range.value(place))).collect()
+                }
+                _ => vec![(*value).to_owned()],
+            });
+            let list = each.map(|value| format!("\"{value}\"")).collect::<Vec<_>>().join(", ");
             let whole = trimmed(text, 0, text.len());
             return Err(Fault::new("several values in one text", whole, "in a list each has its own quotes")
                 .try_this(format!("write `[{list}]`")));
@@ -83,6 +94,12 @@ impl Domain {
             return Ok(Domain::List(vec![read_as_written(text, Angles::Degrees)?]));
         };
         let after = dots + 2;
+        if let Some(at) = text[after..].find("steps") {
+            let (start, end) = (after + at, after + at + "steps".len());
+            let meant = format!("{}step{}", &text[..start], &text[end..]);
+            return Err(Fault::new("`steps` in a range", Span { start, end }, "expected `step`")
+                .try_this(format!("write `{meant}`")));
+        }
         let (last_end, step_text) = match text[after..].find("step") {
             Some(at) => (after + at, Some(after + at + 4)),
             None => (text.len(), None),
@@ -255,6 +272,13 @@ mod tests {
     }
 
     #[test]
+    fn values_in_one_text_are_written_as_a_list() {
+        let help = |text: &str| Domain::range(text).unwrap_err().help.unwrap();
+        assert_eq!(help("2, 3"), "write `[\"2\", \"3\"]`");
+        assert_eq!(help("2..4, 8"), "write `[\"2\", \"3\", \"4\", \"8\"]`");
+    }
+
+    #[test]
     fn a_range_that_cannot_be_walked_is_a_fault_at_its_place() {
         let table = [
             ("6..1", "the range runs backwards", "6..1"),
@@ -265,6 +289,7 @@ mod tests {
             ("2,3,4", "several values in one text", "2,3,4"),
             ("1/2, 3/4", "several values in one text", "1/2, 3/4"),
             ("2; 3", "several values in one text", "2; 3"),
+            ("2..6 steps 2", "`steps` in a range", "steps"),
             ("", "no value stands here", ""),
             ("1..6 step 0", "the step is not above nought", "0"),
             ("1..", "an end of the range is missing", ""),

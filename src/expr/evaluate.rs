@@ -87,7 +87,8 @@ pub fn evaluate(expr: &Expr, names: Names) -> Result<Meaning, Fault> {
         Expr::Power(base, exponent) => power(evaluate(base, names)?, evaluate(exponent, names)?),
         Expr::Call(function, argument) => call(*function, evaluate(argument, names)?),
         Expr::Vector(x, y) => Ok(Vector(number(x, names)?, number(y, names)?)),
-        Expr::Relation(..) => Err(fault("an equation has no value", "an expression without `=` or `<`")),
+        Expr::Relation(..) => Err(fault("an equation has no value", "an expression without `=` or `<`")
+            .try_this("write one of its sides alone")),
     }
 }
 
@@ -100,7 +101,8 @@ pub fn number(expr: &Expr, names: Names) -> Result<Value, Fault> {
         Meaning::Angle(_) => Err(fault("an angle stands where a number is expected", "a number")
             .try_this("divide it by `deg` for the number of degrees")),
         Degrees(_) => Err(fault("a number of degrees without a rational value", "a number")),
-        OverPi(_) => Err(fault("one over pi is of no use here", "a number")),
+        OverPi(_) => Err(fault("one over pi is of no use here", "a number")
+            .try_this("leave the sign of degrees out, or multiply by `deg`")),
     }
 }
 

@@ -68,7 +68,8 @@ impl Posed {
         let mut candidates = match slopes.as_slice() {
             [slope] if slope.is_zero() => {
                 let name = without_markup(&in_english(quantity, self.scene.setting));
-                return Err(Refusal::underdetermined(format!("{name} is the same whatever {} is", unknown.name())));
+                let same = Refusal::underdetermined(format!("{name} is the same whatever {} is", unknown.name()));
+                return Err(same.try_this("maximise a quantity that depends on it, such as `A.tan_deflection`"));
             }
             [slope] if slope.has_letter(|letter| *letter == unknown) => match solve_system(&slopes, &[unknown]) {
                 Err(NoRoots::Never) => Vec::new(),

@@ -249,7 +249,8 @@ fn contact(scene: &Scene, known: &mut Known<Value>) -> Result<(), Refusal> {
             match (&distance - sum).sign() {
                 Some(Ordering::Less) => Err(Refusal::impossible(
                     "the centres are closer together than the sum of the radii: the spheres overlap before the impact",
-                )),
+                )
+                .try_this("give `positions` that are at least the sum of the `radii` apart")),
                 Some(Ordering::Equal) => {
                     let unit = |component: &Value| component.divided_by(&distance).unwrap_or(Value::ZERO);
                     line(known, unit(x), unit(y));
@@ -285,7 +286,8 @@ fn sine(known: &mut Known<Value>, offset: &Value, sum: &Value) -> Result<(), Ref
     if (&(&sine * &sine) - &Value::ONE).sign().is_some_and(Ordering::is_ge) {
         return Err(Refusal::impossible(
             "the path of A passes B at a distance of at least the sum of the radii: the spheres miss each other",
-        ));
+        )
+        .try_this("give a smaller `impact_parameter`, or larger `radii`"));
     }
     known.0.insert(Quantity::ContactSine, Datum::Number(sine));
     Ok(())

@@ -7,7 +7,7 @@ use crate::answer::Kind;
 use crate::bank::Question;
 use crate::examine::Finding;
 use crate::expr::{Text, print};
-use crate::mechanics::{Quantity, SceneText};
+use crate::mechanics::{Quantity, SceneText, Sphere};
 
 /// Answers that are of another impact than those that their words, or their names, speak of.
 pub fn otherwise(question: &Question) -> Vec<Finding> {
@@ -69,6 +69,7 @@ fn named(scene: &SceneText, texts: &[Text]) -> Vec<u8> {
             named.extend(wall_named(scene, &sentence[place..]).filter(|_| is_met));
             named.extend(between(scene, &sentence[place..]));
             named.extend(nth_impact(scene, &sentence[place..]));
+            named.extend(exerted(scene, &sentence[place..]));
         }
     }
     named
@@ -77,6 +78,22 @@ fn named(scene: &SceneText, texts: &[Text]) -> Vec<u8> {
 /// Words that lead to a wall that is struck; what lies `near the wall` is not.
 const MET: [&str; 14] =
     ["at", "with", "by", "on", "of", "between", "and", "that", "strikes", "strike", "struck", "hits", "hit", "hitting"];
+
+/// The only impact in which the one exerts something on the other: `that *B* exerts on *C*`, `on *C* by *B*`.
+fn exerted(scene: &SceneText, words: &[Token]) -> Option<u8> {
+    let (one, other) = match words {
+        [Token::Sphere(one), exerts, on, Token::Sphere(other), ..]
+            if is_one_of(exerts, &["exerts", "exerted"]) && is_one_of(on, &["on"]) =>
+        {
+            (one, other)
+        }
+        [on, Token::Sphere(other), by, Token::Sphere(one), ..] if is_one_of(on, &["on"]) && is_one_of(by, &["by"]) => {
+            (one, other)
+        }
+        _ => return None,
+    };
+    only_between(scene, *one, *other)
+}
 
 /// The impact that words number: `in the second impact`, which is not `the second collision between *A* and *B*`.
 fn nth_impact(scene: &SceneText, words: &[Token]) -> Option<u8> {
@@ -91,11 +108,16 @@ fn nth_impact(scene: &SceneText, words: &[Token]) -> Option<u8> {
 /// The only impact of two spheres that words begin with: `between *B* and *C*`.
 fn between(scene: &SceneText, words: &[Token]) -> Option<u8> {
     let [lead, Token::Sphere(one), and, Token::Sphere(other), ..] = words else { return None };
-    let all = impacts(scene);
-    let mut of_both = all.iter().filter(|impact| impact.has(*one) && impact.has(*other));
     let is_said = is_one_of(lead, &["between", "of"]) && is_one_of(and, &["and", "with"]);
+    only_between(scene, *one, *other).filter(|_| is_said)
+}
+
+/// The impact of two spheres, if they have but one.
+fn only_between(scene: &SceneText, one: Sphere, other: Sphere) -> Option<u8> {
+    let all = impacts(scene);
+    let mut of_both = all.iter().filter(|impact| impact.has(one) && impact.has(other));
     match (of_both.next(), of_both.next()) {
-        (Some(only), None) if is_said => Some(only.number),
+        (Some(only), None) => Some(only.number),
         _ => None,
     }
 }
@@ -109,7 +131,7 @@ mod tests {
     fn an_energy_or_an_impulse_is_of_the_impact_that_is_named() {
         let (corner, line) = ("successive/corner", "successive/three-in-a-line");
         let wall = "successive/struck-onto-a-wall";
-        let table: [(&str, Edits, &str); 11] = [
+        let table: [(&str, Edits, &str); 13] = [
             (corner, &[], ""),
             (corner, &[("loses at the second wall", "loses in the first impact")], "of the first impact"),
             (corner, &[("loses at the second wall", "loses in the second impact")], ""),
@@ -122,6 +144,8 @@ mod tests {
             (corner, &[("loses at the second wall", "then loses, after it has struck the first wall")], ""),
             (corner, &[("\"kinetic energy lost\"", "\"energy lost at the first wall\"")], "of the first impact"),
             (line, &[], ""),
+            (line, &[("that *B* exerts on *C*", "that *A* exerts on *B*")], "of the first impact"),
+            (line, &[("that *B* exerts on *C*", "exerted on *C* by *B*")], ""),
             (line, &[("that *B* exerts on *C*", "in the collision between *A* and *B*")], "of the first impact"),
             (wall, &[], ""),
             (wall, &[("the wall exerts on *B*", "*B*, which is near the wall, receives from *A*")], ""),

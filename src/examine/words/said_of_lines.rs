@@ -1,7 +1,7 @@
 //! What the words say of how walls and the line of centres lie: parallel to a vector or to each other, or perpendicular.
 
 use super::said::Seen;
-use super::sentence::{Sentence, Token, is_one_of};
+use super::sentence::{Sentence, Token, is_one_of, says};
 use crate::examine::Finding;
 use crate::expr::{Angles, Meaning, print, read};
 use crate::mechanics::{Axis, Quantity};
@@ -43,11 +43,19 @@ impl Seen<'_> {
                     }
                     "wall" => {
                         if let (Some(Lies::Line), Some(is_parallel)) = (subject, is_parallel) {
-                            self.line_beside_wall(is_parallel, nth, findings);
+                            self.line_beside_wall(is_parallel, nth, "wall", findings);
                         }
                         (subject, nth) = (Some(Lies::Wall(nth)), None);
                     }
-                    "centres" => subject = Some(Lies::Line),
+                    "centres" => {
+                        // `A wall that is perpendicular to the line of centres`
+                        let lead = &sentence[place.saturating_sub(5)..place];
+                        let is_beside = says(lead, &["parallel", "perpendicular", "normal"]);
+                        if let (Some(Lies::Wall(nth)), Some(is_parallel), true) = (subject, is_parallel, is_beside) {
+                            self.line_beside_wall(is_parallel, nth, "line", findings);
+                        }
+                        subject = Some(Lies::Line);
+                    }
                     "parallel" | "along" => is_parallel = Some(true),
                     "perpendicular" | "normal" => is_parallel = Some(false),
                     "walls" | "velocity" | "component" | "components" | "plane" | "path" | "direction" | "impulse"
@@ -78,13 +86,13 @@ impl Seen<'_> {
     }
 
     /// A line of centres that is parallel to a wall, or perpendicular to it.
-    fn line_beside_wall(&self, is_parallel: bool, nth: Option<usize>, findings: &mut Vec<Finding>) {
+    fn line_beside_wall(&self, is_parallel: bool, nth: Option<usize>, at: &str, findings: &mut Vec<Finding>) {
         let (Some(line), Some(wall)) = (self.lies(Lies::Line), self.lies(Lies::Wall(nth))) else { return };
         if !do_lie(line, wall, is_parallel) {
             let how = if is_parallel { "parallel" } else { "perpendicular" };
             let message = format!("the words say that the line of centres is {how} to the wall, and it is not");
             let help = "say how they lie in `[scene]`, or turn one of them there";
-            findings.push(self.finding(message, &format!("{how} to the wall"), help));
+            findings.push(self.finding(message, &format!("{how} to the {at}"), help));
         }
     }
 

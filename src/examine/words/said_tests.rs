@@ -23,7 +23,7 @@ fn words_that_the_scene_contradicts_are_found() {
     let catches = "direct/one-sphere-catches-the-other";
     let (moving, rest, line) =
         ("both-moving/energy-lost-and-impulse", "rest/speeds-and-directions", "collide directly.");
-    let three = "successive/three-in-a-line";
+    let (three, onto) = ("successive/three-in-a-line", "successive/struck-onto-a-wall");
     let table = [
         (catches, "*B* is {w m/s}", "*B* is {w m/s}", ""),
         (catches, "{mA kg} and {mB kg}", "{mB kg} and {mA kg}", "give `*A*` the mass `mB`"),
@@ -356,6 +356,13 @@ fn words_that_the_scene_contradicts_are_found() {
             "vertical walls.",
             "vertical walls that meet at right angles.",
             "at right angles",
+        ),
+        (onto, "which is perpendicular to the wall", "and the wall is perpendicular to the line of centres", ""),
+        (
+            onto,
+            "which is perpendicular to the wall",
+            "and the wall is parallel to the line of centres",
+            "the line of centres is parallel to the wall",
         ),
         (three, "lie in that order\nin a", "lie in a", ""),
         (three, "lie in that order\nin a", "lie, with *B* between *A* and *C*, in a", ""),

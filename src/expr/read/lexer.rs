@@ -188,7 +188,8 @@ fn unknown(found: char, at: usize) -> Fault {
     let shown: String = if found.is_control() { found.escape_unicode().collect() } else { found.into() };
     let help = match found {
         '!' => "write `!=` for what is not equal",
-        '&' | '|' => "write two requirements for two that must both hold",
+        '|' => "write `abs(x)` for the size of x",
+        '&' => "write two requirements for two that must both hold",
         '\\' | '$' => "write it without LaTeX: `sqrt(3)`, `alpha`, `1/2`",
         '%' => "write it as a decimal or a fraction: `0.3`, `3/10`",
         _ if found.is_alphabetic() => "write names with the letters from a to z",
