@@ -518,6 +518,31 @@ fn an_impossible_scene_is_refused_with_the_mechanics() {
 }
 
 #[test]
+fn each_refusal_has_one_thing_to_try() {
+    let letter = r#""symbols": {"e": "unit"}, "unknowns": ["e"]"#;
+    let backwards = |rest: &str| {
+        let motion = r#""before": {"A": ["4", "1"], "B": ["0", "0"]}, "line_of_centres": ["1", "0"], "e": "e""#;
+        format!(r#"{{"masses": {{"A": "3", "B": "2"}}, {motion}, {letter}, {rest}}}"#)
+    };
+    let plain = |rest: &str| {
+        format!(r#"{{"masses": {{"A": "4", "B": "2"}}, "before": {{"A": ["2", "-1"], "B": ["-2", "1"]}}, {rest}}}"#)
+    };
+    for (scene, help) in [
+        (plain(r#""after": {"A": ["10/3", "-5/3"]}"#), "the impulse on A is away from B"),
+        (plain(r#""line_of_centres": ["-1", "0"], "sense": "A_to_B", "e": "1""#), "or leave out `sense`"),
+        (plain(r#""impact_parameter": "9", "radii": {"A": "1", "B": "1"}, "e": "1""#), "a smaller `impact_parameter`"),
+        (plain(r#""line_of_centres": ["1", "0"], "e": "1 = 1""#), "one of its sides alone"),
+        (backwards(r#""conditions": ["A.after.n > -9"]"#), "that only some values meet"),
+        (backwards(r#""maximise": "A.after.t""#), "a quantity that depends on it"),
+    ] {
+        let output = with_stdin(&["solve", "-"], scene.as_bytes());
+        assert_eq!(code(&output), 1, "{scene}");
+        let said = stderr(&output);
+        assert!(said.lines().any(|line| line.starts_with("help: ") && line.contains(help)), "{scene}: {said}");
+    }
+}
+
+#[test]
 fn hostile_scenes_are_refused_and_never_panic() {
     let folder = folder("hostile");
     let deep_json = format!("{}1{}", "[".repeat(5000), "]".repeat(5000));

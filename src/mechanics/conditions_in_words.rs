@@ -251,8 +251,10 @@ pub(super) fn no_roots(reason: NoRoots) -> Refusal {
     match reason {
         NoRoots::Always => {
             Refusal::underdetermined("the conditions leave the unknowns open: one of them adds nothing to the others")
+                .try_this("give in its place a condition on a quantity that depends on the other unknown")
         }
-        NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
+        NoRoots::Never => Refusal::impossible("the conditions contradict each other")
+            .try_this("leave one of the conditions out, or give another value in it"),
         NoRoots::Degree(degree) => Refusal::beyond(format!(
             "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"
         )),

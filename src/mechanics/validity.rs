@@ -29,24 +29,26 @@ pub fn check(known: &Known<Value>) -> Result<Known<Value>, Refusal> {
 pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known<Value>, Refusal> {
     let mut all = known.clone();
     Derivation::carry_out_with(&mut all, computed, &sides(known));
-    one(&all, known.0.contains_key(&Quantity::Restitution))?;
+    let is_given = |quantity| known.0.contains_key(&quantity);
+    let line_is_given = is_given(Quantity::Line(Axis::X)) || is_given(Quantity::ContactSine);
+    one(&all, is_given(Quantity::Restitution), line_is_given)?;
     for meeting in Meeting::all(known.0.keys()) {
         let sides = sides(&meeting.known(known)).into_iter().map(|quantity| meeting.quantity(quantity));
         let sides: Vec<Quantity> = sides.collect();
         let mut there = known.clone();
         Derivation::carry_out_with(&mut there, &all, &sides);
         let is_given = known.0.contains_key(&meeting.quantity(Quantity::Restitution));
-        one(&meeting.known(&there), is_given).map_err(|refusal| refusal.at(meeting))?;
+        one(&meeting.known(&there), is_given, true).map_err(|refusal| refusal.at(meeting))?;
         there.0.into_pairs().for_each(|(quantity, datum)| all.0.insert_new(quantity, datum));
     }
     Ok(all)
 }
 
-/// One impact, of which the coefficient of restitution may be given or have come out.
-fn one(known: &Known<Value>, e_is_given: bool) -> Result<(), Refusal> {
+/// One impact, of which the coefficient of restitution and the line of centres may be given or have come out.
+fn one(known: &Known<Value>, e_is_given: bool, line_is_given: bool) -> Result<(), Refusal> {
     impulse_given(known)?;
     masses(known)?;
-    approach(known)?;
+    approach(known, line_is_given)?;
     restitution(known, e_is_given)?;
     kept(known)
 }
@@ -118,14 +120,17 @@ fn change(known: &Known<Value>, sphere: Sphere) -> Option<[Value; 2]> {
     Some([along(Axis::X)?, along(Axis::Y)?])
 }
 
-fn approach(known: &Known<Value>) -> Result<(), Refusal> {
+fn approach(known: &Known<Value>, line_is_given: bool) -> Result<(), Refusal> {
     let Some(approach) = known.number(Quantity::Approach) else { return Ok(()) };
     match approach.sign() {
         Some(Ordering::Less) => Err(Refusal::impossible(format!(
             "the spheres do not approach: along the line of centres from A to B, A moves {} slower than B, so there is no impact",
             show(&-&approach)
         ))
-        .try_this("check the direction of the line of centres, or leave out `sense`")),
+        .try_this(match line_is_given {
+            true => "check the direction of the line of centres, or leave out `sense`",
+            false => "check the velocities after the impact: the impulse on A is away from B",
+        })),
         Some(Ordering::Equal) => Err(Refusal::impossible(
             "the spheres have equal velocities along the line of centres: they do not approach, so there is no impact",
         )),
