@@ -295,7 +295,7 @@ fn power(base: Meaning, exponent: Meaning) -> Result<Meaning, Fault> {
             true => (format!("the exponent {whole} is too low"), format!("at least -{MOST_POWER}")),
             false => (format!("the exponent {whole} is too high"), format!("at most {MOST_POWER}")),
         };
-        return Err(fault(message, label));
+        return Err(fault(message, label).try_this("write the digits, or take another unit for the numbers"));
     }
     let mut result = Value::ONE;
     for _ in 0..whole.abs() {

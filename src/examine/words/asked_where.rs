@@ -102,7 +102,10 @@ fn nth_impact(scene: &SceneText, words: &[Token]) -> Option<u8> {
     let is_impact = is_one_of(impact, &["impact", "collision"]);
     let is_of_some = rest.first().is_some_and(|next| is_one_of(next, &["between", "with", "of"]));
     let number = u8::try_from(ordinal(nth)?).ok().filter(|_| is_said && is_impact && !is_of_some)?;
-    impacts(scene).iter().map(|impact| impact.number).find(|there| *there == number)
+    // Beside a wall the second collision may be the second of two spheres.
+    let all = impacts(scene);
+    let is_of_one_kind = all.iter().all(|impact| impact.is_wall == all[0].is_wall);
+    all.iter().map(|impact| impact.number).find(|there| *there == number && is_of_one_kind)
 }
 
 /// The only impact of two spheres that words begin with: `between *B* and *C*`.

@@ -63,7 +63,13 @@ fn called(scene: &SceneText, sentence: &Sentence, place: usize) -> Option<Findin
 /// A mass in metres, a speed in kilograms: of a formula that is no quantity of the scene by itself.
 fn in_another_unit(scene: &SceneText, sentence: &Sentence, place: usize) -> Option<Finding> {
     let Token::Number(expr, said, _) = &sentence[place] else { return None };
-    let (at, noun, _) = noun_of(sentence, place)?;
+    let (at, noun, is_plural) = noun_of(sentence, place)?;
+    // `Of mass {m kg}, is {d m} from it`: what comes after the first number is no mass, but for one of a row.
+    let first = at + sentence[at..].iter().position(|token| matches!(token, Token::Number(..)))?;
+    let is_of_row = |token: &Token| matches!(token, Token::Number(..) | Token::Comma) || is_one_of(token, &["and"]);
+    if first < place && !(is_plural && sentence[first..place].iter().all(is_of_row)) {
+        return None;
+    }
     let own = match noun {
         Noun::Mass => Unit::Kilogram,
         Noun::Speed | Noun::Velocity => Unit::MetrePerSecond,
@@ -94,7 +100,7 @@ mod tests {
         let rest = "rest/speeds-and-directions";
         let speed = "the speed of *A* is {u m/s}";
         let impulse = ("vector-impulse/velocity-after-an-impulse", "receives an impulse of");
-        let table: [(&str, Edits, &str); 10] = [
+        let table: [(&str, Edits, &str); 11] = [
             (rest, &[], ""),
             (impulse.0, &[], ""),
             (impulse.0, &[(impulse.1, "receives a momentum of")], ""),
@@ -103,6 +109,7 @@ mod tests {
             (rest, &[(speed, "*A* has momentum {u m/s}")], "give `u` as `momentum`, and it is a speed"),
             (rest, &[(speed, "*A* has momentum {u}")], "give `u` as `momentum`, and it is a speed"),
             ("ranges/mass-ratio-when-a-goes-on", &[("{k*m} and", "{k m} and")], "give `k` as `masses`, in m"),
+            (rest, &[("of mass {mA kg}", "of mass {mA kg}, is {3 m} from a wall")], ""),
             (rest, &[(speed, "the kinetic energy of *A* is great, as it moves at {u m/s}")], ""),
             (rest, &[("*A*, of mass {mA kg}", "*A*, of weight {mA kg}")], "give `mA` as `weight`, and it is a mass"),
         ];

@@ -109,19 +109,21 @@ impl Seen<'_> {
         let described = sentence[..walls].iter().rev().find(|token| !is_of_them(token));
         let described = described.and_then(|token| Some((token, how(token)?)));
         let after = &sentence[walls + 1..];
-        let beside = after.windows(3).find_map(|words| {
-            let are_both = is_one_of(&words[1], &["to"]) && is_one_of(&words[2], &["each", "one"]);
-            Some((&words[0], how(&words[0])?)).filter(|_| are_both)
+        // `Parallel to one of them` is of something else.
+        let beside = after.windows(4).find_map(|words| {
+            let is_each = is_one_of(&words[2], &["each"]) && is_one_of(&words[3], &["other"]);
+            let is_one = is_one_of(&words[2], &["one"]) && is_one_of(&words[3], &["another"]);
+            Some((&words[0], how(&words[0])?)).filter(|_| is_one_of(&words[1], &["to"]) && (is_each || is_one))
         });
         let across = || {
             let is_right =
                 |pair: &[Token]| is_one_of(&pair[0], &["right"]) && is_one_of(&pair[1], &["angle", "angles"]);
             let at = after.windows(2).position(is_right)?;
-            // `It meets one of them at right angles` is of its path.
-            let meet =
-                after[..at].iter().all(|token| is_one_of(token, &["that", "which", "meet", "are", "stand", "at", "a"]));
-            let is_of_them = after.get(at + 2).is_none_or(|next| !is_one_of(next, &["to"])) && meet;
-            is_of_them.then_some((&after[at], false))
+            // `It strikes one of the walls at right angles` is of its path.
+            let lead = &after[..at];
+            let is_verb = |token: &Token| is_one_of(token, &["meet", "meeting", "are", "stand", "standing", "lie"]);
+            let is_led = lead.iter().all(|token| is_verb(token) || is_one_of(token, &["that", "which", "at", "a"]));
+            (is_led && lead.iter().any(is_verb)).then_some((&after[at], false))
         };
         let Some((Token::Word(word), are_parallel)) = described.or(beside).or_else(across) else { return };
         let lies = |nth| self.lies(Lies::Wall(Some(nth)));

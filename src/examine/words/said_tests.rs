@@ -352,6 +352,18 @@ fn words_that_the_scene_contradicts_are_found() {
         ),
         ("successive/corner", "two smooth fixed", "two parallel smooth fixed", "the walls are parallel"),
         (
+            "successive/corner",
+            "meet at a\nright angle.",
+            "meet. Between the walls it moves parallel to one of them.",
+            "",
+        ),
+        (
+            "successive/walls-at-an-angle",
+            "vertical walls.",
+            "vertical walls. It meets none of the walls at right angles.",
+            "",
+        ),
+        (
             "successive/walls-at-an-angle",
             "vertical walls.",
             "vertical walls that meet at right angles.",
