@@ -101,8 +101,7 @@ pub fn number(expr: &Expr, names: Names) -> Result<Value, Fault> {
         Meaning::Angle(_) => Err(fault("an angle stands where a number is expected", "a number")
             .try_this("divide it by `deg` for the number of degrees")),
         Degrees(_) => Err(fault("a number of degrees without a rational value", "a number")),
-        OverPi(_) => Err(fault("one over pi is of no use here", "a number")
-            .try_this("leave the sign of degrees out, or multiply by `deg`")),
+        OverPi(_) => Err(fault("one over pi is of no use here", "a number").try_this("leave the sign of degrees out")),
     }
 }
 
