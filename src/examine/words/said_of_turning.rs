@@ -272,6 +272,7 @@ impl Seen<'_> {
         Some(self.variant.scene.conditions.iter().find(of_it)?.relation)
     }
 }
+
 /// Where the words `through …` stand: up to the number, or the next words.
 fn through(after: &[Token]) -> String {
     let number = after.iter().take(5).find_map(|token| match token {
