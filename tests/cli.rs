@@ -425,7 +425,10 @@ fn a_scene_that_cannot_be_solved_is_told_what_is_the_matter_with_it() {
         (with(r#", "e": "1/2""#), "there is no `line_of_centres`"),
         (scene(r#"{"A": "1"}"#, r#"["1", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "there is no `masses.B`"),
         (scene(masses, "\"4i+j\"", &format!(r#"{line}, "e": "1/2""#)), r#"`["4", "1"]`"#),
-        (with(r#", "line_of_centres": ["0", "0"], "e": "1/2""#), "help: give any vector from the centre of A"),
+        (
+            with(r#", "line_of_centres": ["0", "0"], "e": "1/2""#),
+            "help: give any vector from the one centre to the other",
+        ),
         (with(&format!(r#"{line}, "e": "1/0""#)), "help: change what stands below the line"),
         (with(&format!(r#"{line}, "e": "sqrt(-1)""#)), "help: check the sign"),
         (scene(r#"{"A": "m", "B": "1"}"#, r#"["1", "1"]"#, r#", "symbols": {"m": "pos"}"#), "did you mean `positive`?"),
@@ -527,6 +530,7 @@ fn each_refusal_has_one_thing_to_try() {
     let plain = |rest: &str| {
         format!(r#"{{"masses": {{"A": "4", "B": "2"}}, "before": {{"A": ["2", "-1"], "B": ["-2", "1"]}}, {rest}}}"#)
     };
+    let later = |then: &str| plain(&format!(r#""line_of_centres": ["1", "0"], "e": "1", "then": [{then}]"#));
     for (scene, help) in [
         (plain(r#""after": {"A": ["10/3", "-5/3"]}"#), "the impulse on A is away from B"),
         (plain(r#""line_of_centres": ["-1", "0"], "sense": "A_to_B", "e": "1""#), "or leave out `sense`"),
@@ -534,6 +538,14 @@ fn each_refusal_has_one_thing_to_try() {
         (plain(r#""line_of_centres": ["1", "0"], "e": "1 = 1""#), "one of its sides alone"),
         (backwards(r#""conditions": ["A.after.n > -9"]"#), "that only some values meet"),
         (backwards(r#""maximise": "A.after.t""#), "a quantity that depends on it"),
+        (later(r#"{"of": ["A"], "wall": ["0", "0"], "e": "1/2"}"#), "any vector along the wall"),
+        (
+            later(
+                r#"{"of": ["A", "C"], "mass": "1", "before": ["0", "0"], "line_of_centres": ["0", "0"], "e": "1/2"}"#,
+            ),
+            "any vector from the one centre to the other",
+        ),
+        (later(r#"{"of": ["A"], "wall": ["0", "0"], "e": "1/0"}"#), "change what stands below the line"),
     ] {
         let output = with_stdin(&["solve", "-"], scene.as_bytes());
         assert_eq!(code(&output), 1, "{scene}");

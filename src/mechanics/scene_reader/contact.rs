@@ -75,6 +75,15 @@ impl Reader<'_> {
         setting
     }
 
+    /// A fault of a wall or a line of centres that is nought.
+    pub(super) fn no_direction(&mut self, field: &str, text: &str, setting: Setting) {
+        self.whole_fault(field, text, "the vector nought has no direction:", "a vector");
+        self.help(match setting {
+            Setting::Wall => "give any vector along the wall: `[\"1\", \"0\"]` is along i",
+            _ => "give any vector from the one centre to the other: `[\"1\", \"0\"]` is along i",
+        });
+    }
+
     /// What is given of the line of centres; of a wall it is the line across it.
     pub(super) fn contact<S: AsRef<str>>(&mut self, text: &SceneText<S>, setting: Setting) -> Option<Contact> {
         match (setting, &text.wall) {
@@ -82,8 +91,7 @@ impl Reader<'_> {
             (Setting::Wall, Some(wall)) => {
                 let [x, y] = self.pair(wall, "wall")?;
                 if x.value.is_zero() && y.value.is_zero() {
-                    self.whole_fault("wall[1]", wall[1].as_ref(), "the vector nought has no direction:", "a vector");
-                    self.help("give any vector along the wall: `[\"1\", \"0\"]` is along i");
+                    self.no_direction("wall[1]", wall[1].as_ref(), setting);
                     return None;
                 }
                 return Some(Contact::Along(-y.value, x.value, None));
@@ -103,8 +111,7 @@ impl Reader<'_> {
             let y_given = self.value(y.as_ref(), "line_of_centres[1]");
             let (x, y_value) = (x?.value, y_given?.value);
             if x.is_zero() && y_value.is_zero() {
-                self.whole_fault("line_of_centres[1]", y.as_ref(), "the vector nought has no direction:", "a vector");
-                self.help("give any vector from the centre of A to that of B: `[\"1\", \"0\"]` is along i");
+                self.no_direction("line_of_centres[1]", y.as_ref(), setting);
                 return None;
             }
             let sense = text.sense.filter(|sense| *sense == Sense::FromAToB);

@@ -162,7 +162,9 @@ impl Reader<'_> {
             _ if in_a_line => Setting::Direct,
             _ => Setting::Oblique,
         };
-        let contact = self.contact_of_later(text, setting, in_a_line, number)?;
+        let contact = self.contact_of_later(text, setting, in_a_line, number);
+        let restitution = self.optional(text.e.as_ref(), field("e"));
+        let contact = contact?;
         let at_rest = || Some(Velocity::Components(Given::nought(), Given::nought()));
         let is_wall = setting == Setting::Wall;
         let velocity = |sphere: Option<&Sphere>| match sphere {
@@ -177,7 +179,7 @@ impl Reader<'_> {
             after: [None, if is_wall { at_rest() } else { None }],
             contact: Some(contact),
             impulse: None,
-            restitution: self.optional(text.e.as_ref(), field("e")),
+            restitution,
             letters: self.letters.clone(),
             unknowns: Vec::new(),
             conditions: Vec::new(),
@@ -253,8 +255,7 @@ impl Reader<'_> {
         };
         let [x, y] = self.pair(line, field(name))?;
         if x.value.is_zero() && y.value.is_zero() {
-            let path = format!("{}[1]", field(name));
-            self.whole_fault(&path, line[1].as_ref(), "the vector nought has no direction:", "a vector");
+            self.no_direction(&format!("{}[1]", field(name)), line[1].as_ref(), setting);
             return None;
         }
         if setting == Setting::Wall && in_a_line {
