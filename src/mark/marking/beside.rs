@@ -28,6 +28,9 @@ pub(super) fn point_out(
         is_typed && answer.judgement.verdict == Verdict::Correct && answer.judgement.note.is_none()
     };
     let right: Vec<usize> = (0..answers.len()).filter(|place| is_right(&answers[*place])).collect();
+    if right.is_empty() {
+        return;
+    }
     let wrong = wrong_velocities(question, before, examined);
     let elsewhere =
         |place: &usize| !wrong.is_empty() && leads_elsewhere(question, &part.blanks[*place], &wrong, examined);

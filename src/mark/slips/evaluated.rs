@@ -64,6 +64,30 @@ impl<const N: usize> Evaluated<N> {
     }
 }
 
+fn all<const N: usize>(
+    parts: &[Expr],
+    names: Names<N>,
+    combine: impl Fn(Sample<N>, Sample<N>) -> Sample<N>,
+) -> Option<Evaluated<N>> {
+    let parts: Option<Vec<Evaluated<N>>> = parts.iter().map(|part| Evaluated::of(part, names)).collect();
+    parts?
+        .into_iter()
+        .reduce(|one, two| Evaluated { value: combine(one.value, two.value), is_angle: one.is_angle || two.is_angle })
+}
+
+fn by_name(function: Function) -> fn(f64) -> f64 {
+    match function {
+        Function::Sqrt => f64::sqrt,
+        Function::Sin => f64::sin,
+        Function::Cos => f64::cos,
+        Function::Tan => f64::tan,
+        Function::Asin => f64::asin,
+        Function::Acos => f64::acos,
+        Function::Atan => f64::atan,
+        Function::Abs => f64::abs,
+    }
+}
+
 /// How far the sides of a condition are apart: of angles in degrees, beside which a plain number is one of degrees.
 pub(super) fn condition_gap<const N: usize>(
     left: &Expr,
@@ -89,28 +113,4 @@ pub(super) fn condition_gap<const N: usize>(
         true => degrees(left) - degrees(right),
         false => left.value - right.value,
     })
-}
-
-fn all<const N: usize>(
-    parts: &[Expr],
-    names: Names<N>,
-    combine: impl Fn(Sample<N>, Sample<N>) -> Sample<N>,
-) -> Option<Evaluated<N>> {
-    let parts: Option<Vec<Evaluated<N>>> = parts.iter().map(|part| Evaluated::of(part, names)).collect();
-    parts?
-        .into_iter()
-        .reduce(|one, two| Evaluated { value: combine(one.value, two.value), is_angle: one.is_angle || two.is_angle })
-}
-
-fn by_name(function: Function) -> fn(f64) -> f64 {
-    match function {
-        Function::Sqrt => f64::sqrt,
-        Function::Sin => f64::sin,
-        Function::Cos => f64::cos,
-        Function::Tan => f64::tan,
-        Function::Asin => f64::asin,
-        Function::Acos => f64::acos,
-        Function::Atan => f64::atan,
-        Function::Abs => f64::abs,
-    }
 }

@@ -15,9 +15,9 @@ use super::sample::{POINTS, Sample, sampled};
 use super::table::value;
 use super::ways::roads;
 
-/// An answer in figures: each component at each of the fixed points of the letters, at one where there are none, of an angle the degrees. Without a
-/// sign where the sign is no part of the answer, and of a direction the unit vector. Of a range each end, with plus or
-/// minus one for the side of it on which the range lies.
+/// An answer in figures: each component at each of the fixed points of the letters, or at one where there are none; of an
+/// angle the degrees. Without a sign where the sign is no part of the answer, and of a direction the unit vector. Of a range
+/// each end, with plus or minus one for the side of it on which the range lies.
 pub type Figures = SmallVec<[f64; 2 * POINTS]>;
 
 /// The answers of a question in figures, each where it has a value.
@@ -54,8 +54,8 @@ fn is_of_numbers(given: &Known<Value>, sought: Option<&Sought>) -> bool {
         Datum::Equation(_) => true,
     };
     let is_of_its_letter = |sought: &Sought| {
-        let is_steep = |(_, vanishing): &(Value, Vanishing)| !matches!(vanishing, Vanishing::Slope(_));
-        sought.letters.iter().all(|letter| *letter == sought.letter) && sought.places.iter().all(is_steep)
+        let is_of_a_slope = |(_, vanishing): &(Value, Vanishing)| matches!(vanishing, Vanishing::Slope(_));
+        sought.letters.iter().all(|letter| *letter == sought.letter) && !sought.places.iter().any(is_of_a_slope)
     };
     given.0.iter().all(is_number) && sought.is_none_or(is_of_its_letter)
 }
