@@ -84,6 +84,9 @@ impl Set {
 pub struct Steps(Set);
 
 impl Steps {
+    /// Every step there is.
+    pub const ALL: Steps = Steps(Set(u128::MAX));
+
     /// Is the step in the set?
     pub fn has(self, place: usize) -> bool {
         self.0.has(place)
@@ -210,11 +213,36 @@ impl<N: Number + PartialEq> Carried<N> {
         impacts
     }
 
+    /// The steps that lead to some quantities.
+    pub fn steps_to(&self, quantities: &[Quantity]) -> Steps {
+        let places = quantities.iter().filter_map(|quantity| self.order.places.get(quantity));
+        let mut needed = places.fold(Set::default(), |needed, place| needed.with(*place));
+        let mut steps = Set::default();
+        for (step, gives) in self.order.gives.iter().enumerate().rev() {
+            if gives.iter().flatten().any(|(entered, _)| needed.has(*entered)) {
+                steps = steps.with(step);
+                needed = Set(needed.0 | self.order.needs[step].0);
+            }
+        }
+        Steps(steps)
+    }
+
     /// Carries it out again with slips, and with other data in place of what was found or
     /// given; looks at what is known then, and puts everything back. What has no result any more, as the direction of a sphere
     /// that is brought to rest, is not known then.
     pub fn again<R>(
         &mut self,
+        slips: &[MadeSlip],
+        other: &[(Quantity, Datum<N>)],
+        look: impl FnOnce(&Carried<N>, Trace) -> R,
+    ) -> R {
+        self.again_by(Steps::ALL, slips, other, look)
+    }
+
+    /// The same by some of the steps alone: what the others give stays as it was.
+    pub fn again_by<R>(
+        &mut self,
+        steps: Steps,
         slips: &[MadeSlip],
         other: &[(Quantity, Datum<N>)],
         look: impl FnOnce(&Carried<N>, Trace) -> R,
@@ -227,6 +255,9 @@ impl<N: Number + PartialEq> Carried<N> {
         }
         let kept = trace.changed;
         for (place, step) in self.plan.derivation.steps.iter().enumerate() {
+            if !steps.has(place) {
+                continue;
+            }
             let mut tried = slips.iter().filter(|made| made.is_at(step));
             let slipped: Outcome<N> = tried.find_map(|made| step.slipped(made.slip.tag, &self.known));
             if slipped.is_some() {

@@ -6,7 +6,7 @@
 //! is a rate of change that vanishes, Newton's rule is quicker, since values to both sides give the rate of that as well.
 //! Every point has its own.
 
-use crate::mechanics::{Carried, Condition, Datum, Known, MadeSlip, Quantity, Sought, Vanishing};
+use crate::mechanics::{Carried, Condition, Datum, Known, MadeSlip, Quantity, Sought, Steps, Vanishing};
 use crate::number::{Letter, Range, Value};
 
 use super::evaluated::condition_gap;
@@ -19,7 +19,7 @@ const MOST_STEPS: usize = 12;
 /// Two numbers that differ by less than this part are one: of a condition, and of a rate of change, which is found from
 /// differences.
 const ONE: f64 = 1e-13;
-const ONE_OF_A_SLOPE: f64 = 1e-7;
+const ONE_OF_A_SLOPE: f64 = 1e-5;
 
 /// How far off the values are from which a rate of change is found: further, and it is less right; nearer, and what is left
 /// of their difference is noise.
@@ -62,6 +62,28 @@ struct Place<const N: usize> {
     vanishing: Vanishing,
 }
 
+/// How somebody looks for the letter.
+struct Way<'w, const N: usize> {
+    road: &'w mut Carried<Sample<N>>,
+    /// The steps to what should vanish: no other is gone for a number that is only tried.
+    steps: Steps,
+    slips: &'w [MadeSlip<'w>],
+    /// What he starts from in place of what is given.
+    entered: &'w [(Quantity, Datum<Sample<N>>)],
+}
+
+impl<'w, const N: usize> Way<'w, N> {
+    fn new(
+        backwards: &Backwards<N>,
+        road: &'w mut Carried<Sample<N>>,
+        slips: &'w [MadeSlip<'w>],
+        entered: &'w [(Quantity, Datum<Sample<N>>)],
+    ) -> Way<'w, N> {
+        let steps = road.steps_to(&backwards.asked);
+        Way { road, steps, slips, entered }
+    }
+}
+
 /// A number at which something vanishes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Landed<const N: usize = POINTS> {
@@ -85,10 +107,10 @@ impl<const N: usize> Backwards<N> {
         let others = others.map(|other| (*other, Sample::of_tangent(*other))).collect();
         let (letter, asked, is_range) = (sought.letter, sought.asked.clone(), sought.is_range);
         let mut backwards = Backwards { letter, others, given, asked, places: Vec::new(), is_range };
+        let mut way = Way::new(&backwards, road, &[], &[]);
         for (value, vanishing) in &sought.places {
             let number = Sample::of(value)?;
-            let [here, beside] =
-                [number, beside(number)].map(|number| backwards.gap(vanishing, number, road, &[], &[]));
+            let [here, beside] = [number, beside(number)].map(|number| backwards.gap(vanishing, number, &mut way));
             let (here, beside) = (here?, beside?);
             if !here.0.iter().zip(beside.0).all(|(here, beside)| here.abs() <= VANISHED * beside.abs()) {
                 return None;
@@ -153,17 +175,18 @@ impl<const N: usize> Backwards<N> {
         let Place { right, vanishing } = &self.places[place];
         let is_changed =
             |carried: &Carried<Sample<N>>, trace| self.asked.iter().any(|own| carried.is_changed(*own, trace));
-        if !road.again(slips, entered, is_changed) {
+        let mut way = Way::new(self, road, slips, entered);
+        if !way.road.again_by(way.steps, slips, entered, is_changed) {
             return Some(*right);
         }
         let found = if let Vanishing::Slope(quantity) = vanishing {
-            let mut slopes = |number: Sample<N>| self.slopes(*quantity, number, road, slips, entered);
+            let mut slopes = |number: Sample<N>| self.slopes(*quantity, number, &mut way);
             // Of a complement it is least where it should be greatest.
             let other = Landed { side: -right.side, ..*right };
             flat(*right, &mut slopes).or_else(|| flat(other, &mut slopes))?
         } else {
             let start = [right.number, beside(right.number)];
-            let mut gap = |number: Sample<N>| self.gap(vanishing, number, road, slips, entered);
+            let mut gap = |number: Sample<N>| self.gap(vanishing, number, &mut way);
             // What is not near a line in the number may be one in its reciprocal.
             let over = |number: Sample<N>| number.map(f64::recip);
             let by_reciprocal = |gap: &mut dyn FnMut(Sample<N>) -> Option<Sample<N>>| {
@@ -177,43 +200,29 @@ impl<const N: usize> Backwards<N> {
     }
 
     /// What should vanish, for a number.
-    fn gap(
-        &self,
-        vanishing: &Vanishing,
-        number: Sample<N>,
-        road: &mut Carried<Sample<N>>,
-        slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample<N>>)],
-    ) -> Option<Sample<N>> {
+    fn gap(&self, vanishing: &Vanishing, number: Sample<N>, way: &mut Way<N>) -> Option<Sample<N>> {
         match vanishing {
             Vanishing::Gap(Condition { left, right, .. }) => {
                 let gap =
                     |known: &Known<Sample<N>>| condition_gap(left, right, &self.others, (self.letter, number), known);
-                self.carry_out(number, road, slips, entered, gap)
+                self.carry_out(number, way, gap)
             }
             Vanishing::Distance(quantity, bound) => {
                 let distance =
                     |known: &Known<Sample<N>>| Some(value(known.0.get(quantity)?)? - self.nearly(bound, number));
-                self.carry_out(number, road, slips, entered, distance)
+                self.carry_out(number, way, distance)
             }
-            Vanishing::Slope(quantity) => Some(self.slopes(*quantity, number, road, slips, entered)?[0]),
+            Vanishing::Slope(quantity) => Some(self.slopes(*quantity, number, way)?[0]),
         }
     }
 
     /// How fast a quantity changes with the number, and how fast that does.
-    fn slopes(
-        &self,
-        quantity: Quantity,
-        number: Sample<N>,
-        road: &mut Carried<Sample<N>>,
-        slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample<N>>)],
-    ) -> Option<[Sample<N>; 2]> {
+    fn slopes(&self, quantity: Quantity, number: Sample<N>, way: &mut Way<N>) -> Option<[Sample<N>; 2]> {
         // By a value to each side: right but for the square of how far off they are.
         let step = number.map(|number| FINE * number.abs().max(FINE));
         let around = [number - step, number, number + step];
         let seen = |known: &Known<Sample<N>>| value(known.0.get(&quantity)?);
-        let mut at = |number| self.carry_out(number, road, slips, entered, seen);
+        let mut at = |number| self.carry_out(number, way, seen);
         let [below, here, above] = match self.others.is_empty() && N >= around.len() {
             // All points are one then, and the three numbers can have one each.
             true => {
@@ -227,18 +236,17 @@ impl<const N: usize> Backwards<N> {
         Some([slope, rise])
     }
 
-    /// Carries the derivation out with the slips, the other data and this number; looks at what is known then.
+    /// Goes the way with this number; looks at what is known then.
     fn carry_out(
         &self,
         number: Sample<N>,
-        road: &mut Carried<Sample<N>>,
-        slips: &[MadeSlip],
-        entered: &[(Quantity, Datum<Sample<N>>)],
+        way: &mut Way<N>,
         look: impl FnOnce(&Known<Sample<N>>) -> Option<Sample<N>>,
     ) -> Option<Sample<N>> {
         let mut other = self.given_at(number);
-        other.extend_from_slice(entered);
-        road.again(slips, &other, |carried, _| look(carried.known())).filter(|found| found.is_finite())
+        other.extend_from_slice(way.entered);
+        let look = |carried: &Carried<Sample<N>>, _| look(carried.known());
+        way.road.again_by(way.steps, way.slips, &other, look).filter(|found| found.is_finite())
     }
 }
 
