@@ -1,20 +1,41 @@
 //! Numbers in place of a question's parameters and derived names.
 
+use std::sync::Arc;
+
 use super::question::Style;
 use crate::expr::{Expr, Fault, Function, Meaning, Turn, evaluate, written};
 use crate::mechanics::{Parameters, SceneText};
 use crate::number::{Angle, Letter, Range, Value};
 
+/// The names that a style gives, which are the same for all its sets of numbers.
+#[derive(Debug, Default)]
+pub struct GivenNames {
+    // Letters of the scene, parameters, derived names. There are few, and a later one hides an earlier one of the same name.
+    names: Vec<String>,
+    /// What the letters mean.
+    letters: Vec<Meaning>,
+}
+
+impl GivenNames {
+    /// Those of a style whose parameters have these names.
+    pub fn of<'n>(style: &'n Style, parameters: impl Iterator<Item = &'n String>, scene: &SceneText) -> GivenNames {
+        let letters = scene.symbols.iter().filter_map(|(name, range)| Some((name.clone(), letter(name, range)?)));
+        let (mut names, letters): (Vec<String>, Vec<Meaning>) = letters.unzip();
+        names.extend(parameters.chain(style.lets.iter().map(|(name, _)| name)).cloned());
+        GivenNames { names, letters }
+    }
+}
+
 /// What every given name of a style stands for, in one variant.
 #[derive(Clone, Debug, Default)]
 pub struct Givens {
-    // There are few, and a later one hides an earlier one of the same name.
-    names: Vec<GivenName>,
+    names: Arc<GivenNames>,
+    /// Of each name, by its place.
+    given: Vec<Given>,
 }
 
 #[derive(Clone, Debug)]
-struct GivenName {
-    name: String,
+struct Given {
     /// As it is printed: a parameter as it stands in its domain, a derived name in its simplest form. A letter of the scene
     /// stands for itself.
     shown: Option<Expr>,
@@ -28,34 +49,30 @@ impl Givens {
     ///
     /// The first formula without a value, with its name: a division by nought, a root of a negative number.
     pub fn new(style: &Style, parameters: &[(String, Expr)], scene: &SceneText) -> Result<Givens, (String, Fault)> {
-        Givens::with_meanings(style, parameters, scene, &|_| None)
+        let names = GivenNames::of(style, parameters.iter().map(|(name, _)| name), scene);
+        Givens::with_meanings(style, Arc::new(names), parameters.iter().map(|(_, value)| value), &|_| None)
     }
 
-    /// The same, where the meanings of some parameters are known already, by their places.
+    /// The same for the values of the parameters that are among the names, where the meanings of some are known already, by
+    /// their places.
     ///
     /// # Errors
     ///
     /// As for [`Givens::new`].
-    pub fn with_meanings(
+    pub fn with_meanings<'v>(
         style: &Style,
-        parameters: &[(String, Expr)],
-        scene: &SceneText,
+        names: Arc<GivenNames>,
+        values: impl Iterator<Item = &'v Expr>,
         known: &dyn Fn(usize) -> Option<Meaning>,
     ) -> Result<Givens, (String, Fault)> {
-        let mut givens =
-            Givens { names: Vec::with_capacity(scene.symbols.len() + parameters.len() + style.lets.len()) };
-        for (name, range) in &scene.symbols {
-            givens.names.extend(letter(name, range).map(|meaning| GivenName {
-                name: name.clone(),
-                shown: None,
-                meaning,
-            }));
+        let mut given = Vec::with_capacity(names.names.len());
+        given.extend(names.letters.iter().map(|meaning| Given { shown: None, meaning: meaning.clone() }));
+        let mut givens = Givens { names, given };
+        for (place, value) in values.enumerate() {
+            let meaning = known(place).map_or_else(|| evaluate(value, &|name| givens.meaning(name)), Ok);
+            givens.add(value.clone(), meaning)?;
         }
-        for (place, (name, expr)) in parameters.iter().enumerate() {
-            let meaning = known(place).map_or_else(|| evaluate(expr, &|name| givens.meaning(name)), Ok);
-            givens.add(name, Some(expr.clone()), meaning)?;
-        }
-        for (name, expr) in &style.lets {
+        for (_, expr) in &style.lets {
             let meaning = evaluate(expr, &|name| givens.meaning(name));
             let typed = || expr.substitute(&|name| givens.shown(name).cloned());
             let shown = match &meaning {
@@ -65,19 +82,19 @@ impl Givens {
                 },
                 _ => typed(),
             };
-            givens.add(name, Some(shown), meaning)?;
+            givens.add(shown, meaning)?;
         }
         Ok(givens)
     }
 
-    fn add(&mut self, name: &str, shown: Option<Expr>, meaning: Result<Meaning, Fault>) -> Result<(), (String, Fault)> {
-        let meaning = meaning.map_err(|fault| (name.to_owned(), fault))?;
-        self.names.push(GivenName { name: name.to_owned(), shown, meaning });
+    fn add(&mut self, shown: Expr, meaning: Result<Meaning, Fault>) -> Result<(), (String, Fault)> {
+        let meaning = meaning.map_err(|fault| (self.names.names[self.given.len()].clone(), fault))?;
+        self.given.push(Given { shown: Some(shown), meaning });
         Ok(())
     }
 
-    fn named(&self, name: &str) -> impl Iterator<Item = &GivenName> {
-        self.names.iter().rev().filter(move |given| given.name == name)
+    fn named(&self, name: &str) -> impl Iterator<Item = &Given> {
+        self.given.iter().zip(&self.names.names).rev().filter(move |(_, own)| *own == name).map(|(given, _)| given)
     }
 
     /// How a parameter or derived name is printed.

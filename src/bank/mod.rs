@@ -29,7 +29,7 @@ pub use document::{key_span, row_span};
 pub use domain::Domain;
 pub use earned_for::EarnedFor;
 pub use folder::{Bank, read_source};
-pub use givens::Givens;
+pub use givens::{GivenNames, Givens};
 pub(crate) use givens::names_in_degrees;
 pub use posed::{Posed, Unposed};
 pub use question::{Answer, AuthorsTest, Code, Find, Mark, Part, Question, Style, StyleName};

@@ -71,10 +71,12 @@ impl Posed {
 
     /// What a name of a requirement stands for: a given, or a result.
     pub fn meaning(&self, name: &str) -> Option<Meaning> {
-        if let Some(value) = self.found(name) {
-            return Some(value);
+        let quantity = || self.quantity(name.parse().ok()?);
+        // There is no dot in a name that an author gives.
+        if name.contains('.') {
+            return quantity();
         }
-        self.givens.meaning(name).or_else(|| self.quantity(name.parse().ok()?))
+        self.found(name).or_else(|| self.givens.meaning(name)).or_else(quantity)
     }
 
     fn quantity(&self, quantity: Quantity) -> Option<Meaning> {

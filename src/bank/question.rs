@@ -152,10 +152,15 @@ impl Style {
 
     /// The set of parameters with an index below [`Style::size`]; the last parameter varies fastest.
     pub fn parameters_at(&self, index: u64) -> Vec<(String, Expr)> {
+        self.parameters.iter().map(|(name, _)| name.clone()).zip(self.values_at(index)).collect()
+    }
+
+    /// The same without the names.
+    pub fn values_at(&self, index: u64) -> Vec<Expr> {
         let mut rest = index;
-        let mut chosen: Vec<(String, Expr)> = Vec::with_capacity(self.parameters.len());
-        for (name, domain) in self.parameters.iter().rev() {
-            chosen.push((name.clone(), domain.value(rest % domain.size())));
+        let mut chosen: Vec<Expr> = Vec::with_capacity(self.parameters.len());
+        for (_, domain) in self.parameters.iter().rev() {
+            chosen.push(domain.value(rest % domain.size()));
             rest /= domain.size();
         }
         chosen.reverse();

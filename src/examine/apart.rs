@@ -5,7 +5,7 @@ use super::remark::Remark;
 use super::words::in_order;
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Question};
-use crate::expr::{Meaning, Piece, evaluate};
+use crate::expr::{Expr, Meaning, Piece, evaluate};
 use crate::generate::Variant;
 use crate::mechanics::Quantity;
 use crate::number::{Angle, FloatInterval, Places, Value};
@@ -53,7 +53,7 @@ pub fn given(question: &Question, variant: &Variant, words: &Words, remarks: &mu
             continue;
         };
         let is_it = |piece: &&Piece| match piece {
-            Piece::Quantity(expr, unit) if *unit == quantity.unit() && *unit != Unit::None => {
+            Piece::Quantity(expr, unit) if *unit == quantity.unit() && *unit != Unit::None && is_of_numbers(expr) => {
                 matches!(evaluate(expr, &|_| None), Ok(Meaning::Number(given)) if given == value)
             }
             _ => false,
@@ -66,6 +66,11 @@ pub fn given(question: &Question, variant: &Variant, words: &Words, remarks: &mu
             remarks.push(Remark::new(what, format!("\"{name}\""), label, help).of_nearly_all());
         }
     }
+}
+
+/// Is there no name in it?
+fn is_of_numbers(expr: &Expr) -> bool {
+    !matches!(expr, Expr::Name(_)) && expr.all_children(&mut is_of_numbers)
 }
 
 /// A requirement that keeps two answers so far apart that no rounding makes them one; exact ones need only differ.

@@ -15,7 +15,7 @@ pub struct Numbers<'s> {
     /// Its index in the style.
     pub index: u64,
     sieve: &'s Sieve<'s>,
-    parameters: OnceCell<Vec<(String, Expr)>>,
+    values: OnceCell<Vec<Expr>>,
     givens: OnceCell<Result<Arc<Givens>, String>>,
     posed: OnceCell<Result<Posed, Unfit>>,
 }
@@ -64,8 +64,8 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
 impl<'s> Numbers<'s> {
     /// The set with an index below the size of the sieve's style.
     pub fn new(sieve: &'s Sieve<'s>, index: u64) -> Numbers<'s> {
-        let (parameters, givens, posed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Numbers { index, sieve, parameters, givens, posed }
+        let (values, givens, posed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Numbers { index, sieve, values, givens, posed }
     }
 
     /// The variant of a style that has the same sets as the one of [`Numbers::new`]; of an unfit set whether it would be
@@ -100,19 +100,24 @@ impl<'s> Numbers<'s> {
         }
         match turned.first {
             Some(only) => Err((only, true)),
-            None => Ok(variant(question, style, Some(self.index), self.parameters().to_vec(), posed.clone())),
+            None => {
+                let names = style.parameters.iter().map(|(name, _)| name.clone());
+                let parameters = names.zip(self.values().iter().cloned()).collect();
+                Ok(variant(question, style, Some(self.index), parameters, posed.clone()))
+            }
         }
     }
 
-    fn parameters(&self) -> &[(String, Expr)] {
-        self.parameters.get_or_init(|| self.sieve.style.parameters_at(self.index))
+    /// The values of the parameters.
+    fn values(&self) -> &[Expr] {
+        self.values.get_or_init(|| self.sieve.style.values_at(self.index))
     }
 
     /// What its names stand for, or the first that has no value.
     pub(super) fn givens(&self) -> Result<&Arc<Givens>, &str> {
-        let (question, style, parameters) = (self.sieve.question, self.sieve.style, self.parameters());
-        let known = |place: usize| self.sieve.meaning(self.index, place, &parameters[place].1);
-        let givens = || Givens::with_meanings(style, parameters, &question.scene, &known);
+        let (style, names, values) = (self.sieve.style, &self.sieve.names, self.values());
+        let known = |place: usize| self.sieve.meaning(self.index, place, &values[place]);
+        let givens = || Givens::with_meanings(style, Arc::clone(names), values.iter(), &known);
         let givens = || givens().map(Arc::new).map_err(|(name, _)| name);
         self.givens.get_or_init(givens).as_ref().map_err(String::as_str)
     }

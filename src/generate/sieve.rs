@@ -5,12 +5,12 @@
 //! the first set with these values comes along. The same is done for the question whether a derived name has a value.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use super::numbers::Numbers;
 use super::variant::Unfit;
-use crate::bank::{Question, Requirement, Style};
+use crate::bank::{GivenNames, Question, Requirement, Style};
 use crate::expr::{Expr, Meaning, evaluate};
 use crate::mechanics::Quantity;
 
@@ -25,6 +25,8 @@ pub struct Sieve<'q> {
     pub style: &'q Style,
     /// What must be solved for.
     pub(super) wanted: Vec<Quantity>,
+    /// What the style gives.
+    pub(super) names: Arc<GivenNames>,
     /// Has a name a value? Parameters, then derived names.
     named: Vec<(&'q str, Table)>,
     /// Does a requirement hold? None where it is on results.
@@ -59,7 +61,9 @@ impl<'q> Sieve<'q> {
             let is_kept = digit.size <= most && domain.formulas().iter().all(|formula| formula.names().is_empty());
             (*digit, (0..if is_kept { digit.size } else { 0 }).map(|_| OnceLock::new()).collect())
         });
-        Sieve { question, style, wanted: question.wanted(style), named, holds, meanings: meanings.collect() }
+        let (wanted, meanings) = (question.wanted(style), meanings.collect());
+        let names = Arc::new(GivenNames::of(style, style.parameters.iter().map(|(name, _)| name), &question.scene));
+        Sieve { question, style, wanted, names, named, holds, meanings }
     }
 
     /// Are the sets of another style the same, and solved for the same?

@@ -382,11 +382,12 @@ impl FromStr for Fraction {
             return Err(NotAFraction);
         }
         // As nearly all are: ten to the power 18 is a machine integer.
-        if whole.len() + decimals.len() <= 18
-            && !whole.starts_with('+')
-            && let Ok(all) = format!("{whole}{decimals}").parse::<i64>()
-        {
-            return Ok(Fraction::reduce(all.into(), 10_i128.pow(decimals.len() as u32)));
+        let digits = whole.strip_prefix('-').unwrap_or(whole);
+        if digits.len() + decimals.len() <= 18 && digits.bytes().all(|byte| byte.is_ascii_digit()) {
+            let both = digits.bytes().chain(decimals.bytes());
+            let all = both.fold(0_i128, |all, digit| 10 * all + i128::from(digit - b'0'));
+            let signed = if whole.len() > digits.len() { -all } else { all };
+            return Ok(Fraction::reduce(signed, 10_i128.pow(decimals.len() as u32)));
         }
         let all = integer(&if whole.is_empty() || whole == "-" {
             format!("{whole}0{decimals}")

@@ -72,13 +72,13 @@ fn divides_by_nought(expr: &Expr, variant: &Variant) -> bool {
         matches!(value, Ok(Meaning::Number(value)) if value.is_zero())
     };
     let here = matches!(expr, Expr::Quotient(_, below) if is_nought(below));
-    here || expr.children().into_iter().any(|inner| divides_by_nought(inner, variant))
+    here || !expr.all_children(&mut |inner| !divides_by_nought(inner, variant))
 }
 
 /// Does a number of degrees stand below a line?
 fn divides_by_degrees(expr: &Expr) -> bool {
     let here = matches!(expr, Expr::Quotient(_, below) if matches!(**below, Expr::Degrees(_)));
-    here || expr.children().into_iter().any(divides_by_degrees)
+    here || !expr.all_children(&mut |inner| !divides_by_degrees(inner))
 }
 
 pub(super) fn remark(what: &str, shown: &str, help: &str) -> Remark {

@@ -238,7 +238,8 @@ fn angles(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
         let before = words.trim_end().trim_end_matches(" of").trim_end();
         let kind = before.strip_suffix(" angle").unwrap_or_default();
         let said = ["acute", "obtuse"].into_iter().find(|said| kind.ends_with(said));
-        let (Some(said), Some(is_acute)) = (said, is_acute(expr, &pair[1], variant)) else { continue };
+        let Some(said) = said else { continue };
+        let Some(is_acute) = is_acute(expr, &pair[1], variant) else { continue };
         if is_acute != (said == "acute") {
             let shown = crate::expr::print::text_unicode(&Text(vec![pair[1].clone()]));
             let help = "say `an angle`, or require that it is what is said";

@@ -1,5 +1,7 @@
 //! The quantity that words are about: for `speed of A`, `A.after.speed`.
 
+use std::sync::OnceLock;
+
 use crate::mechanics::conditions_in_words::in_english;
 use crate::mechanics::{Quantity, Setting};
 
@@ -90,18 +92,26 @@ impl Quantity {
             Some(3 * matched.len() as i64 - 2 * (missing + beside) as i64)
         };
         let mut best: Option<(i64, Quantity)> = None;
-        for quantity in Quantity::all() {
-            let mut names = vec![in_english(quantity, Setting::default())];
-            if !matches!(quantity, Quantity::Impulse(..)) {
-                names.push(quantity.in_words());
-            }
-            let weight = names.iter().filter_map(|name| weigh(&content(name))).max();
+        for (quantity, names) in named_in_words() {
+            let weight = names.iter().filter_map(|name| weigh(name)).max();
             if let Some(weight) = weight.filter(|weight| best.is_none_or(|(best, _)| *weight > best)) {
-                best = Some((weight, quantity));
+                best = Some((weight, *quantity));
             }
         }
         best.map(|(_, quantity)| quantity)
     }
+}
+
+/// Every quantity with the content of each of its names in words.
+fn named_in_words() -> &'static [(Quantity, Vec<Vec<String>>)] {
+    static NAMED: OnceLock<Vec<(Quantity, Vec<Vec<String>>)>> = OnceLock::new();
+    NAMED.get_or_init(|| {
+        let names = |quantity: Quantity| {
+            let own = (!matches!(quantity, Quantity::Impulse(..))).then(|| quantity.in_words());
+            [Some(in_english(quantity, Setting::default())), own].into_iter().flatten().map(|name| content(&name))
+        };
+        Quantity::all().into_iter().map(|quantity| (quantity, names(quantity).collect())).collect()
+    })
 }
 
 /// The words that tell quantities apart, each in one form.
