@@ -4,6 +4,8 @@
 //! taken for a cosine changes nothing, and with equal masses nothing that is wrong with a mass does: whoever makes the slip is
 //! marked right. An author who means that, or cannot help it, names the slip in `hidden`.
 
+use std::cell::OnceCell;
+
 use super::coincidence::{Wanted, wanted};
 use super::finding::Finding;
 use crate::answer::Accept;
@@ -30,6 +32,8 @@ pub struct Slips {
     /// For each slip those that show in some variant beside it, and those that then give something else.
     beside: Vec<u128>,
     told: Vec<u128>,
+    /// What each answer of the question asks for, the same in every variant.
+    asked: OnceCell<Vec<Asked>>,
 }
 
 impl Default for Slips {
@@ -42,6 +46,7 @@ impl Default for Slips {
             first: vec![None; count],
             beside: vec![0; count],
             told: vec![0; count],
+            asked: OnceCell::new(),
         }
     }
 }
@@ -49,14 +54,14 @@ impl Default for Slips {
 impl Slips {
     /// Follows every slip through one variant.
     pub fn follow(&mut self, question: &Question, variant: &Variant) {
-        let (answers, asked) = asked(question);
+        let asked = self.asked.get_or_init(|| asked(question));
         let sought = variant.solution.sought();
         if sought.is_none() && asked.iter().all(|asked| asked.quantities().is_empty()) {
             return;
         }
         let is_exact = !variant.scene.letters.is_empty();
         let differ = |one: &Answers, other: &Answers| {
-            let each = one.iter().zip(other).zip(&answers);
+            let each = one.iter().zip(other).zip(answers(question));
             each.into_iter().any(|((one, other), answer)| match (one, other) {
                 (Some(one), Some(other)) => one
                     .iter()
@@ -65,7 +70,7 @@ impl Slips {
                 _ => one.is_some() != other.is_some(),
             })
         };
-        let Some(outcomes) = shown(variant.solution.given(), &asked, sought.as_ref(), &differ) else { return };
+        let Some(outcomes) = shown(variant.solution.given(), asked, sought.as_ref(), &differ) else { return };
         self.variants += 1;
         self.acting |= outcomes.iter().fold(0, |acting, outcome| acting | 1 << outcome.slip);
         let showing: Vec<(usize, &Answers)> =
@@ -124,11 +129,14 @@ impl Slips {
     }
 }
 
-/// The answers of a question, and what each asks for.
-fn asked(question: &Question) -> (Vec<&Answer>, Vec<Asked>) {
-    let answers: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
-    let asked = answers.iter().map(|answer| Asked::of(&answer.find, answer.kind)).collect();
-    (answers, asked)
+/// The answers of a question.
+fn answers(question: &Question) -> impl Iterator<Item = &Answer> {
+    question.parts.iter().flat_map(|part| &part.answers)
+}
+
+/// What each of them asks for.
+fn asked(question: &Question) -> Vec<Asked> {
+    answers(question).map(|answer| Asked::of(&answer.find, answer.kind)).collect()
 }
 
 /// The slips that act: those that change a value in some variant, and those that would if no number of the question
@@ -137,7 +145,7 @@ pub fn all_acting(question: &Question, styles: &[Slips]) -> u128 {
     let followed = styles.iter().fold(0, |all, slips| all | slips.acting);
     let by_reference = || -> Option<Vec<usize>> {
         let solution = reference(question).ok()?.solution;
-        Some(acting(solution.given(), &asked(question).1, solution.sought().as_ref()))
+        Some(acting(solution.given(), &asked(question), solution.sought().as_ref()))
     };
     by_reference().unwrap_or_default().into_iter().fold(followed, |all, slip| all | 1 << slip)
 }
@@ -151,6 +159,8 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
     let unit = match accept.places() {
         _ if is_exact => return false,
         None => return false,
+        // Two numbers that are written alike are not further apart than one in the last figure, which is a tenth at most.
+        Some(Places::SignificantFigures(2..)) if (one - other).abs() > size / 10.0 => return false,
         Some(Places::SignificantFigures(figures)) => {
             10_f64.powi(size.log10().floor() as i32 + 1 - (*figures).clamp(1, 15) as i32)
         }

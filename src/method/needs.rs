@@ -5,7 +5,7 @@
 
 use super::answer::{integers, linear_forms, matrix, polynomials, surd_field, surd_integers};
 use super::{Geometry, Impact};
-use crate::number::Value;
+use crate::number::{Fraction, Value};
 
 /// One need.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -166,6 +166,7 @@ impl Needs {
             !matches!(matrix::whole::<COUNT>(impact, elements), Err(matrix::Unfit::TooLarge))
         }
         match (self.has(Need::Factors), self.has(Need::Irrational), self.has(Need::ManyThings)) {
+            (false, false, _) if is_of_small_numbers(impact) => true,
             (false, false, _) => matrix_fits::<1>(impact, integers::elements),
             (false, true, false) => matrix_fits::<4>(impact, linear_forms::elements),
             _ => surd_field::in_surds(impact).is_none_or(|surds| surd_field::fits(&surds)),
@@ -195,6 +196,18 @@ impl Needs {
     }
 }
 
+/// Are all numbers so small that machine integers surely hold what becomes of them, and the line of centres along an axis? With
+/// nothing above or below a line beyond 2^8, both masses are at most 2^16 over one denominator, e adds up to at most 2^9, and
+/// the components are at most 2^32 over one of at most 2^32: by the bound of [`matrix`] all stays below 3 * 2^58.
+fn is_of_small_numbers(impact: &Impact<Value>) -> bool {
+    const SMALL: u64 = 1 << 8;
+    let is_small = |value: &Value| {
+        let parts = value.as_fraction().and_then(Fraction::as_small);
+        parts.is_some_and(|(above, below)| above.unsigned_abs() <= SMALL && below.unsigned_abs() <= SMALL)
+    };
+    impact.line == [Value::ONE, Value::ZERO] && impact.numbers().all(is_small)
+}
+
 impl FromIterator<Need> for Needs {
     fn from_iter<T: IntoIterator<Item = Need>>(needs: T) -> Needs {
         needs.into_iter().fold(Needs::default(), Needs::with)
@@ -204,4 +217,25 @@ impl FromIterator<Need> for Needs {
 /// The least geometry that suffices for all of a batch.
 pub(super) fn geometry_of(impacts: &[Impact<Value>]) -> Geometry {
     impacts.iter().map(|impact| Geometry::least(Needs::geometry(impact))).max().unwrap_or(Geometry::AtRest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_numbers_fit_into_machine_integers() {
+        let large = |below: i64| Value::fraction(256, below);
+        let impact = |mass: i64| Impact {
+            masses: [large(mass), Value::fraction(255, 256)],
+            before: [[large(251), large(241)], [large(239), large(233)]],
+            line: [Value::ONE, Value::ZERO],
+            restitution: Value::fraction(253, 255),
+        };
+        assert!(is_of_small_numbers(&impact(253)));
+        assert!(matrix::whole::<1>(&impact(253), integers::elements).is_ok());
+        assert!(!is_of_small_numbers(&impact(257)));
+        let oblique = Impact { line: [Value::ONE, Value::ONE], ..impact(253) };
+        assert!(!is_of_small_numbers(&oblique));
+    }
 }
