@@ -4,7 +4,7 @@
 //! taken for a cosine changes nothing, and with equal masses nothing that is wrong with a mass does: whoever makes the slip is
 //! marked right. An author who means that, or cannot help it, names the slip in `hidden`.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use super::coincidence::{Wanted, wanted};
 use super::finding::Finding;
@@ -33,7 +33,7 @@ pub struct Slips {
     beside: Vec<u128>,
     told: Vec<u128>,
     /// What each answer of the question asks for, the same in every variant.
-    asked: OnceCell<Vec<Asked>>,
+    asked: OnceLock<Vec<Asked>>,
 }
 
 impl Default for Slips {
@@ -46,7 +46,7 @@ impl Default for Slips {
             first: vec![None; count],
             beside: vec![0; count],
             told: vec![0; count],
-            asked: OnceCell::new(),
+            asked: OnceLock::new(),
         }
     }
 }

@@ -33,13 +33,12 @@ const MOST_TRIED: u64 = 20_000;
 /// A style and which of its variants; none for the reference numbers.
 type Dealt = Option<(usize, usize)>;
 
-/// A piece of the work, done by one thread.
+/// Sets of numbers of some styles that have the same, from one index up to another: a piece of the work, done by one thread.
 #[derive(Clone, Copy)]
-enum Piece {
-    /// Sets of numbers of some styles that have the same, from one index up to another.
-    Sets { family: usize, from: u64, to: u64 },
-    /// Students who hand in variants of a style, or the reference numbers.
-    Students { question: usize, style: Option<usize> },
+struct Sets {
+    family: usize,
+    from: u64,
+    to: u64,
 }
 
 /// Styles of a question whose sets of numbers are the same: each set is solved once for all of them.
@@ -57,52 +56,64 @@ pub fn work<'q>(questions: impl IntoIterator<Item = &'q Question>) -> u64 {
 /// Examines questions; `progress` is told of each piece of [`work`] that is done.
 pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<Report> {
     let families = families(questions);
-    let pieces = pieces(questions, &families);
-    let next = AtomicUsize::new(0);
     let empty = || -> Vec<Done> { questions.iter().map(|question| Done::new(question)).collect() };
-    let worker = || {
-        let mut done = empty();
-        loop {
-            let Some(piece) = pieces.get(next.fetch_add(1, Ordering::Relaxed)) else { return done };
-            match *piece {
-                Piece::Sets { family, from, to } => {
-                    let Family { question, sieves } = &families[family];
-                    for index in from..to {
-                        let numbers = Numbers::new(&sieves[0].1, index);
-                        for (style, sieve) in sieves {
-                            done[*question].tallies[*style].examine(sieve, &numbers);
-                        }
-                    }
-                    progress((to - from) * sieves.len() as u64);
-                }
-                Piece::Students { question, style } => {
-                    let of = questions[question];
-                    for (dealt, variant) in dealt_variants(of, style) {
-                        if dealt.is_none_or(|(_, nth)| nth < MARKED) {
-                            done[question].coverage.push((dealt, coverage(of, &variant)));
-                        }
-                        if let Some((style, _)) = dealt {
-                            done[question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
-                        }
-                    }
-                }
+    let mut total = empty();
+    let examine = |done: &mut Vec<Done>, Sets { family, from, to }: &Sets| {
+        let Family { question, sieves } = &families[*family];
+        for index in *from..*to {
+            let numbers = Numbers::new(&sieves[0].1, index);
+            for (style, sieve) in sieves {
+                done[*question].tallies[*style].examine(sieve, &numbers);
+            }
+        }
+        progress((to - from) * sieves.len() as u64);
+    };
+    for done in on_all_processors(&sets(&families), &empty, &examine) {
+        total.iter_mut().zip(done).for_each(|(total, done)| total.add(done));
+    }
+    // Only then is it known which variants can be dealt.
+    let tallies = |question: usize| &total[question].tallies;
+    let look = |done: &mut Vec<Done>, (question, style): &(usize, Option<usize>)| {
+        let of = questions[*question];
+        for (dealt, variant) in dealt_variants(of, *style, tallies(*question)) {
+            if dealt.is_none_or(|(_, nth)| nth < MARKED) {
+                done[*question].coverage.push((dealt, coverage(of, &variant)));
+            }
+            if let Some((style, _)) = dealt {
+                done[*question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
             }
         }
     };
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let mut total = empty();
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
-        for worker in workers {
-            // A panic in a worker is a bug in carom and is passed on as it is.
-            let done = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            for (total, done) in total.iter_mut().zip(done) {
-                total.add(done);
-            }
-        }
-    });
+    for done in on_all_processors(&looked_at(questions), &empty, &look) {
+        total.iter_mut().zip(done).for_each(|(total, done)| total.add(done));
+    }
     let exercises = scheme::exercises();
     questions.iter().zip(total).map(|(question, done)| done.report(question, &exercises)).collect()
+}
+
+/// Does all pieces of some work on all processors; what each of them has done.
+fn on_all_processors<P: Sync, D: Send>(
+    pieces: &[P],
+    empty: &(dyn Fn() -> D + Sync),
+    work: &(dyn Fn(&mut D, &P) + Sync),
+) -> Vec<D> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let mut done = empty();
+        while let Some(piece) = pieces.get(next.fetch_add(1, Ordering::Relaxed)) {
+            work(&mut done, piece);
+        }
+        done
+    };
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
+        // A panic in a worker is a bug in carom and is passed on as it is.
+        let join = |worker: thread::ScopedJoinHandle<D>| {
+            worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        workers.into_iter().map(join).collect()
+    })
 }
 
 /// The styles of all questions, those together that are solved together.
@@ -121,32 +132,42 @@ fn families<'q>(questions: &[&'q Question]) -> Vec<Family<'q>> {
     families
 }
 
-/// What takes longest comes first, so that no thread is left with it at the end.
-fn pieces(questions: &[&Question], families: &[Family]) -> Vec<Piece> {
+/// The sets of numbers of all styles, in portions.
+fn sets(families: &[Family]) -> Vec<Sets> {
     let mut pieces = Vec::new();
-    for (place, question) in questions.iter().enumerate() {
-        let styles = std::iter::once(None).chain((0..question.styles.len()).map(Some));
-        pieces.extend(styles.map(|style| Piece::Students { question: place, style }));
-    }
     for (place, family) in families.iter().enumerate() {
         let size = family.sieves[0].1.style.size().min(MOST_SETS);
         let mut from = 0;
         while from < size {
             let to = size.min(from.saturating_add(PORTION));
-            pieces.push(Piece::Sets { family: place, from, to });
+            pieces.push(Sets { family: place, from, to });
             from = to;
         }
     }
     pieces
 }
 
+/// Of each question the styles whose variants are looked at one by one, and the reference numbers.
+fn looked_at(questions: &[&Question]) -> Vec<(usize, Option<usize>)> {
+    let styles = |question: &Question| std::iter::once(None).chain((0..question.styles.len()).map(Some));
+    questions
+        .iter()
+        .enumerate()
+        .flat_map(|(place, question)| styles(question).map(move |style| (place, style)))
+        .collect()
+}
+
 /// The variants of a style that are looked at one by one, or the reference numbers.
-fn dealt_variants(question: &Question, style: Option<usize>) -> Vec<(Dealt, Variant)> {
-    let Some(style) = style else {
+fn dealt_variants(question: &Question, style: Option<usize>, tallies: &[Tally]) -> Vec<(Dealt, Variant)> {
+    let Some(place) = style else {
         return reference(question).ok().map(|variant| (None, variant)).into_iter().collect();
     };
-    let dealt = Deal::new(question, &question.styles[style], 1).take(HEARD);
-    dealt.enumerate().map(|(nth, variant)| (Some((style, nth)), variant)).collect()
+    let (style, tally) = (&question.styles[place], &tallies[place]);
+    let deal = match tally.census.examined < tally.census.size {
+        true => Deal::new(question, style, 1),
+        false => Deal::knowing(question, style, 1, tally.fit.iter().copied()),
+    };
+    deal.take(HEARD).enumerate().map(|(nth, variant)| (Some((place, nth)), variant)).collect()
 }
 
 /// What has been seen of a question so far.

@@ -23,6 +23,8 @@ struct Seen {
 pub struct Tally {
     /// Fit and unfit.
     pub census: Census,
+    /// The sets that are fit, in any order.
+    pub fit: Vec<u64>,
     /// Slips followed.
     pub slips: Slips,
     seen: BTreeMap<String, Seen>,
@@ -38,6 +40,7 @@ impl Tally {
     /// Examines one set of numbers, and looks at it if it is fit for print in the sieve's style.
     pub fn examine(&mut self, sieve: &Sieve, numbers: &Numbers) {
         let Some(variant) = self.census.examine(sieve, numbers) else { return };
+        self.fit.push(numbers.index);
         let (question, style) = (sieve.question, sieve.style);
         let mut remarks = Vec::new();
         let words = paper::words(question, style, &variant);
@@ -70,6 +73,7 @@ impl Tally {
     /// Adds what was seen of other sets.
     pub fn add(&mut self, other: Tally) {
         self.census.add(other.census);
+        self.fit.extend(other.fit);
         self.slips.add(other.slips);
         for seen in other.seen.into_values() {
             self.see(seen);

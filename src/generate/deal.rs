@@ -1,5 +1,7 @@
 //! Variants dealt one after another, none twice, until there are no more.
 
+use std::collections::HashSet;
+
 use super::numbers::{Further, Numbers};
 use super::shuffle::Shuffle;
 use super::sieve::Sieve;
@@ -18,6 +20,8 @@ pub const PATIENCE: u64 = 100_000;
 pub struct Deal<'q> {
     sieve: Sieve<'q>,
     order: Shuffle,
+    /// The sets that are fit, where they are known.
+    fit: Option<HashSet<u64>>,
     examined: u64,
     dealt: u64,
     end: Option<End>,
@@ -36,7 +40,13 @@ impl<'q> Deal<'q> {
     /// Begins a deal.
     pub fn new(question: &'q Question, style: &'q Style, seed: u64) -> Deal<'q> {
         let order = Shuffle::new(style.size(), seed, &question.id, style.name.name());
-        Deal { sieve: Sieve::new(question, style), order, examined: 0, dealt: 0, end: None }
+        Deal { sieve: Sieve::new(question, style), order, fit: None, examined: 0, dealt: 0, end: None }
+    }
+
+    /// The same deal where it is known which sets of numbers are fit: no other is solved.
+    pub fn knowing(question: &'q Question, style: &'q Style, seed: u64, fit: impl Iterator<Item = u64>) -> Deal<'q> {
+        let sieve = Sieve::for_one(question, style);
+        Deal { sieve, fit: Some(fit.collect()), ..Deal::new(question, style, seed) }
     }
 
     /// How many sets of numbers have been examined so far.
@@ -68,6 +78,9 @@ impl Iterator for Deal<'_> {
                 return None;
             };
             self.examined += 1;
+            if self.fit.as_ref().is_some_and(|fit| !fit.contains(&index)) {
+                continue;
+            }
             let examined = Numbers::new(&self.sieve, index).examine(&self.sieve, Further::Never);
             if let Ok(variant) = examined {
                 self.dealt += 1;
@@ -76,5 +89,25 @@ impl Iterator for Deal<'_> {
         }
         self.end = Some(End::GaveUp);
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bank::{read_question, shipped};
+    use crate::diagnostic::Source;
+
+    #[test]
+    fn whoever_knows_what_is_fit_deals_the_same() {
+        let id = "walls/velocity-in-i-and-j";
+        let (_, text) = shipped().find(|(shipped, _)| *shipped == id).unwrap();
+        let question = read_question(id, &Source::new(id, text)).unwrap_or_else(|_| panic!("{id}"));
+        for style in &question.styles {
+            let dealt: Vec<u64> = Deal::new(&question, style, 1).filter_map(|variant| variant.index).collect();
+            let known = Deal::knowing(&question, style, 1, dealt.iter().rev().copied());
+            assert_eq!(known.filter_map(|variant| variant.index).collect::<Vec<_>>(), dealt);
+            assert!(dealt.len() > 1);
+        }
     }
 }

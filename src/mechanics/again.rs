@@ -15,8 +15,8 @@ pub struct Carried<N> {
     plan: Arc<Plan>,
     order: Arc<Order>,
     known: Known<N>,
-    /// Room for what is put back.
-    before: Vec<(Quantity, Option<Datum<N>>)>,
+    /// Room for what is put back, each with the place of its quantity among all quantities.
+    before: Vec<(Quantity, usize, Option<Datum<N>>)>,
 }
 
 /// A slip that is made in the place of the law that owns it.
@@ -159,7 +159,7 @@ impl<N: Number + PartialEq> Carried<N> {
 
     /// Is this the derivation that a road leads to?
     pub fn is_of(&self, road: Road, given: &Known<N>, asked: &[Quantity]) -> bool {
-        let steps = &Plan::on(road, given.0.as_entered(), asked, &[]).derivation.steps;
+        let steps = &Plan::on(road, given.0.placed_as_entered(), asked, &[]).derivation.steps;
         // A rule stands at one place as long as the program runs.
         let is_one = |(one, other): (&&Rule, &&Rule)| std::ptr::eq(*one, *other);
         steps.len() == self.plan.derivation.steps.len() && steps.iter().zip(&self.plan.derivation.steps).all(is_one)
@@ -250,7 +250,8 @@ impl<N: Number + PartialEq> Carried<N> {
         let mut before = std::mem::take(&mut self.before);
         let mut trace = Trace::default();
         for (quantity, datum) in other {
-            before.push((*quantity, self.known.0.insert(*quantity, datum.clone())));
+            let place = quantity.place();
+            before.push((*quantity, place, self.known.0.insert_at(place, *quantity, datum.clone())));
             trace.changed = self.order.places.get(quantity).map_or(trace.changed, |place| trace.changed.with(*place));
         }
         let kept = trace.changed;
@@ -275,19 +276,19 @@ impl<N: Number + PartialEq> Carried<N> {
                 let Some((entered, place)) = entered.filter(|(entered, _)| !kept.has(*entered)) else { continue };
                 let old = match (self.known.0.at_mut(place), datum) {
                     (Some(old), Some(datum)) if *old != datum => Some(std::mem::replace(old, datum)),
-                    (Some(_), None) => self.known.0.remove(quantity),
-                    (None, Some(datum)) => self.known.0.insert(*quantity, datum),
+                    (Some(_), None) => self.known.0.remove_at(place),
+                    (None, Some(datum)) => self.known.0.insert_at(place, *quantity, datum),
                     _ => continue,
                 };
-                before.push((*quantity, old));
+                before.push((*quantity, place, old));
                 trace.changed = trace.changed.with(entered);
             }
         }
         let seen = look(self, trace);
-        for (quantity, old) in before.drain(..).rev() {
+        for (quantity, place, old) in before.drain(..).rev() {
             match old {
-                Some(datum) => self.known.0.insert(quantity, datum),
-                None => self.known.0.remove(&quantity),
+                Some(datum) => self.known.0.insert_at(place, quantity, datum),
+                None => self.known.0.remove_at(place),
             };
         }
         self.before = before;

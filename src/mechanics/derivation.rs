@@ -60,7 +60,7 @@ impl Derivation {
     /// The cheapest derivation of those asked quantities that follow from the given ones; and the asked quantities that do
     /// not follow.
     pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
-        let plan = Plan::on(Road::Shortest, given.iter().copied(), asked, &[]);
+        let plan = Plan::on(Road::Shortest, given.iter().map(|quantity| (*quantity, quantity.place())), asked, &[]);
         (plan.derivation.clone(), plan.missing.clone())
     }
 
@@ -175,7 +175,7 @@ impl Derivation {
         // A step before a dead end stays what it is on the way round it, and is not taken twice.
         let mut computed = Cow::Borrowed(computed);
         loop {
-            let plan = Plan::on(road, known.0.as_entered().take(given), asked, &banned);
+            let plan = Plan::on(road, known.0.placed_as_entered().take(given), asked, &banned);
             let Err(DeadEnd(place)) = plan.derivation.evaluate_with(&computed, known) else { return plan };
             banned.push(plan.derivation.steps[place]);
             let there = computed.to_mut();

@@ -28,7 +28,7 @@ pub(super) struct Plan {
 /// one address as long as the program runs.
 fn enter(
     road: Road,
-    given: impl Iterator<Item = Quantity>,
+    given: impl Iterator<Item = (Quantity, usize)>,
     asked: &[Quantity],
     banned: &[&'static Rule],
     row: &mut Vec<usize>,
@@ -37,14 +37,15 @@ fn enter(
     row.extend([road as usize, asked.len(), banned.len()]);
     row.extend(asked.iter().copied().map(Quantity::place));
     row.extend(banned.iter().map(|rule| std::ptr::from_ref(*rule).addr()));
-    row.extend(given.map(Quantity::place));
+    row.extend(given.map(|(_, place)| place));
 }
 
 impl Plan {
-    /// The cheapest plan on a road to those asked quantities that follow from the given ones, without the banned rules.
+    /// The cheapest plan on a road to those asked quantities that follow from the given ones, each with its place, without the
+    /// banned rules.
     pub(super) fn on(
         road: Road,
-        given: impl Iterator<Item = Quantity> + Clone,
+        given: impl Iterator<Item = (Quantity, usize)> + Clone,
         asked: &[Quantity],
         banned: &[&'static Rule],
     ) -> Arc<Plan> {
@@ -64,7 +65,8 @@ impl Plan {
             if known.len() >= MOST_PLANS {
                 known.clear();
             }
-            let (derivation, missing) = Derivation::planned(road, &given.collect(), asked, banned);
+            let (derivation, missing) =
+                Derivation::planned(road, &given.map(|(quantity, _)| quantity).collect(), asked, banned);
             let plan = Arc::new(Plan { derivation, missing, order: OnceLock::new() });
             known.insert(row.clone(), plan.clone());
             plan

@@ -12,7 +12,16 @@ pub struct Quantities<T> {
     /// Of the quantity at each place which entry it has, counted from one; nought where it has none.
     numbers: Vec<u16>,
     /// As they were entered.
-    entries: Vec<(Quantity, T)>,
+    entries: Vec<Entry<T>>,
+}
+
+/// Something about a quantity.
+#[derive(Clone, Debug)]
+struct Entry<T> {
+    quantity: Quantity,
+    /// The place of the quantity, which is not read off it twice.
+    place: u16,
+    about: T,
 }
 
 /// What is copied is mostly added to.
@@ -34,7 +43,11 @@ impl<T> Default for Quantities<T> {
 
 impl<T: PartialEq> PartialEq for Quantities<T> {
     fn eq(&self, other: &Quantities<T>) -> bool {
-        self.len() == other.len() && self.entries.iter().all(|(quantity, about)| other.get(quantity) == Some(about))
+        self.len() == other.len()
+            && self.entries.iter().all(|own| {
+                let entry = other.entry(usize::from(own.place));
+                entry.is_some_and(|entry| other.entries[entry].about == own.about)
+            })
     }
 }
 
@@ -61,12 +74,12 @@ impl<T> Quantities<T> {
 
     /// What there is about a quantity.
     pub fn get(&self, quantity: &Quantity) -> Option<&T> {
-        self.entry(quantity.place()).map(|entry| &self.entries[entry].1)
+        self.entry(quantity.place()).map(|entry| &self.entries[entry].about)
     }
 
     /// What there is about the quantity of a place, to be changed.
     pub(super) fn at_mut(&mut self, place: usize) -> Option<&mut T> {
-        self.entry(place).map(|entry| &mut self.entries[entry].1)
+        self.entry(place).map(|entry| &mut self.entries[entry].about)
     }
 
     /// Is there anything about a quantity?
@@ -76,9 +89,13 @@ impl<T> Quantities<T> {
 
     /// Enters something about a quantity; what was there before.
     pub fn insert(&mut self, quantity: Quantity, about: T) -> Option<T> {
-        let place = quantity.place();
+        self.insert_at(quantity.place(), quantity, about)
+    }
+
+    /// The same of a quantity that has this place.
+    pub(super) fn insert_at(&mut self, place: usize, quantity: Quantity, about: T) -> Option<T> {
         match self.entry(place) {
-            Some(entry) => Some(std::mem::replace(&mut self.entries[entry].1, about)),
+            Some(entry) => Some(std::mem::replace(&mut self.entries[entry].about, about)),
             None => {
                 self.append(quantity, place, about);
                 None
@@ -99,19 +116,24 @@ impl<T> Quantities<T> {
         if self.numbers.len() <= place {
             self.numbers.resize((place + 1).next_multiple_of(OF_AN_IMPACT), 0);
         }
-        self.entries.push((quantity, about));
-        self.numbers[place] = u16::try_from(self.entries.len()).expect("there are fewer quantities than that");
+        let number = |number: usize| u16::try_from(number).expect("there are fewer quantities than that");
+        self.entries.push(Entry { quantity, place: number(place), about });
+        self.numbers[place] = number(self.entries.len());
     }
 
     /// Takes out what there is about a quantity.
     pub fn remove(&mut self, quantity: &Quantity) -> Option<T> {
-        let place = quantity.place();
+        self.remove_at(quantity.place())
+    }
+
+    /// The same of the quantity of a place.
+    pub(super) fn remove_at(&mut self, place: usize) -> Option<T> {
         let entry = self.entry(place)?;
-        if let Some((last, _)) = self.entries.last() {
-            self.numbers[last.place()] = self.numbers[place];
+        if let Some(last) = self.entries.last() {
+            self.numbers[usize::from(last.place)] = self.numbers[place];
         }
         self.numbers[place] = 0;
-        Some(self.entries.swap_remove(entry).1)
+        Some(self.entries.swap_remove(entry).about)
     }
 
     /// The quantities.
@@ -122,22 +144,22 @@ impl<T> Quantities<T> {
     /// All of it.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&Quantity, &T)> + Clone {
         let entries = self.numbers.iter().filter(|number| **number > 0).map(|number| usize::from(*number) - 1);
-        entries.map(|entry| (&self.entries[entry].0, &self.entries[entry].1))
+        entries.map(|entry| (&self.entries[entry].quantity, &self.entries[entry].about))
     }
 
-    /// The quantities as they were entered, unless some have been taken out since.
-    pub fn as_entered(&self) -> impl ExactSizeIterator<Item = Quantity> + Clone {
-        self.entries.iter().map(|(quantity, _)| *quantity)
+    /// The quantities as they were entered, unless some have been taken out since, each with its place.
+    pub(super) fn placed_as_entered(&self) -> impl ExactSizeIterator<Item = (Quantity, usize)> + Clone {
+        self.entries.iter().map(|entry| (entry.quantity, usize::from(entry.place)))
     }
 
     /// All of it, to be changed, in any order.
     pub fn values_mut(&mut self) -> impl Iterator<Item = (&Quantity, &mut T)> {
-        self.entries.iter_mut().map(|(quantity, about)| (&*quantity, about))
+        self.entries.iter_mut().map(|entry| (&entry.quantity, &mut entry.about))
     }
 
     /// All of it, taken out, as it was entered.
     pub fn into_pairs(self) -> impl Iterator<Item = (Quantity, T)> {
-        self.entries.into_iter()
+        self.entries.into_iter().map(|entry| (entry.quantity, entry.about))
     }
 }
 

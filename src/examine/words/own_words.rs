@@ -1,7 +1,7 @@
 //! Do the author's own words read well, whatever the numbers between them are: punctuation, doubled words, articles?
 
-use std::cell::OnceCell;
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 use foldhash::fast::FixedState;
 
@@ -22,8 +22,8 @@ pub struct Heard {
     texts: HashMap<String, Vec<Remark>, FixedState>,
     /// Room for the words that are looked up.
     words: String,
-    claims: OnceCell<Claims>,
-    exact: OnceCell<AsksExact>,
+    claims: OnceLock<Claims>,
+    exact: OnceLock<AsksExact>,
 }
 
 impl Heard {
