@@ -18,17 +18,16 @@ use crate::number::{Letter, Value};
 ///
 /// The first reason found.
 pub fn check(known: &Known<Value>) -> Result<Known<Value>, Refusal> {
-    check_with(known, &Known::default())
+    check_from(known, known.clone())
 }
 
-/// The same, where some results have been computed already.
+/// The same from all that is known when some of what follows has been computed already.
 ///
 /// # Errors
 ///
 /// The first reason found.
-pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known<Value>, Refusal> {
-    let mut all = known.clone();
-    Derivation::carry_out_with(&mut all, computed, &sides(known));
+pub fn check_from(known: &Known<Value>, mut all: Known<Value>) -> Result<Known<Value>, Refusal> {
+    Derivation::carry_out(&mut all, &sides(known));
     let is_given = |quantity| known.0.contains_key(&quantity);
     let line_is_given = is_given(Quantity::Line(Axis::X)) || is_given(Quantity::ContactSine);
     one(&all, is_given(Quantity::Restitution), line_is_given)?;

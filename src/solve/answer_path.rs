@@ -8,15 +8,8 @@ use crate::mechanics::{ALONG, Axis, Datum, Derivation, Known, Moment, Quantity, 
 use crate::method::{Found, Impact, Selection, Wanted};
 use crate::number::Value;
 
-/// The components after the impact, and what chose the way to them.
-pub(super) struct AnswerPath {
-    /// The impact in the axes of the line of centres: first along it, then across.
-    pub impact: Impact<Value>,
-    /// The model.
-    pub selection: Selection,
-    /// All that was computed.
-    pub computed: Known<Value>,
-}
+/// The impact in the axes of the line of centres, first along it, then across; and the model that suffices for it.
+pub(super) type AnswerPath = (Impact<Value>, Selection);
 
 /// What must be known before the impact: masses, e, and the components.
 const BEFORE: [Quantity; 7] = [
@@ -29,9 +22,10 @@ const BEFORE: [Quantity; 7] = [
     Quantity::Velocity(Sphere::B, Moment::Before, Axis::T),
 ];
 
-/// The components after the impact, if all that it starts from follows from what is given. Where a velocity after is
+/// The path to the components after the impact with all that is known on it, if all that it starts from follows from what is
+/// given. Where a velocity after is
 /// given as well, the steps themselves must say whether the two agree. Some of what follows may have been derived already.
-pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Option<AnswerPath> {
+pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Option<(AnswerPath, Known<Value>)> {
     let of_after = |quantity: &Quantity| {
         use Quantity::{GivenDirection, Speed, Velocity};
         // Of a direct impact it is given that nothing is across.
@@ -51,7 +45,7 @@ pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Optio
     for (quantity, [along, _]) in ALONG[2..].iter().zip(after) {
         computed.0.insert_new(*quantity, Datum::Number(along));
     }
-    Some(AnswerPath { impact, selection, computed })
+    Some(((impact, selection), computed))
 }
 
 /// The impact in the axes of the line of centres.

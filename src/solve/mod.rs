@@ -10,12 +10,12 @@ pub use report::{Answer, Report, StepReport, report};
 use std::cmp::Ordering;
 use std::iter;
 
-use answer_path::answer_path;
+use answer_path::{AnswerPath, answer_path};
 
 use crate::expr::{Expr, in_degrees, print, written, written_angle};
 use crate::mechanics::{
     Derivation, Found, Known, Line, Meeting, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards,
-    check_with, pose,
+    check_from, pose,
 };
 use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
@@ -28,7 +28,7 @@ pub struct Solution {
     given: Known<Value>,
     known: Known<Value>,
     derivation: Derivation,
-    path: Option<(Impact<Value>, Selection)>,
+    path: Option<AnswerPath>,
 }
 
 /// Solves a scene for the quantities asked.
@@ -67,23 +67,16 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
     let one = |mut root: Found| -> Result<Solution, Refusal> {
         let given = pose(&root.scene)?;
         let nothing = Known::default();
-        let path = answer_path(&given, root.derived.as_ref().unwrap_or(&nothing));
+        let (path, computed) = answer_path(&given, root.derived.as_ref().unwrap_or(&nothing)).unzip();
         let computed = match root.derived.take() {
             // It was examined when it was put back.
             Some(derived) => derived,
-            None => check_with(&given, path.as_ref().map_or(&nothing, |path| &path.computed))?,
+            None => check_from(&given, computed.unwrap_or_else(|| given.clone()))?,
         };
         root.remarks.extend(needed(&root.scene, &computed));
         let mut known = given.clone();
         let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
-        Ok(Solution {
-            root,
-            asked: asked.to_vec(),
-            given,
-            known,
-            derivation,
-            path: path.map(|path| (path.impact, path.selection)),
-        })
+        Ok(Solution { root, asked: asked.to_vec(), given, known, derivation, path })
     };
     roots.into_iter().map(one).collect()
 }
