@@ -35,6 +35,13 @@ pub enum Vanishing {
     Slope(Quantity),
 }
 
+impl Vanishing {
+    /// Is it a rate of change?
+    pub fn is_slope(&self) -> bool {
+        matches!(self, Vanishing::Slope(_))
+    }
+}
+
 impl Found {
     /// What its one letter was found from. None where there was nothing to be found, or more than that.
     pub fn sought(&self) -> Option<Sought> {

@@ -53,6 +53,12 @@ impl Letter {
         std::str::from_utf8(&self.name[..length]).expect("a letter is made from a whole name")
     }
 
+    /// Is this its name? Quicker to ask than for the name.
+    pub(crate) fn is_called(&self, name: &str) -> bool {
+        let (own, rest) = self.name.split_at(name.len().min(Letter::LONGEST));
+        own == name.as_bytes() && rest.first().is_none_or(|byte| *byte == 0)
+    }
+
     /// Does its name begin so? Quicker to ask than for the name.
     pub(crate) fn begins_with(&self, byte: u8) -> bool {
         self.name[0] == byte
@@ -106,6 +112,18 @@ impl fmt::Debug for Letter {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_letter_is_called_by_its_whole_name() {
+        let longest = "a".repeat(Letter::LONGEST);
+        let names = ["v", "v_A", "v_AB", "θ", longest.as_str()];
+        for name in names {
+            let letter = Letter::new(name, Range::Real).unwrap();
+            for other in names.into_iter().chain(["", "v_", "aa", &"a".repeat(Letter::LONGEST + 1)]) {
+                assert_eq!(letter.is_called(other), letter.name() == other, "{name} {other}");
+            }
+        }
+    }
 
     #[test]
     fn points_lie_on_both_sides_of_what_a_formula_turns_at() {

@@ -128,7 +128,7 @@ impl<const N: usize> Backwards<N> {
 
     /// Is it quickly found again, so that pairs of slips can be tried? Where something is greatest it is not.
     pub(super) fn is_quick(&self) -> bool {
-        self.places.iter().all(|place| !matches!(place.vanishing, Vanishing::Slope(_)))
+        !self.places.iter().any(|place| place.vanishing.is_slope())
     }
 
     /// The right number of a place.

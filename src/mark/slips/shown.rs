@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use crate::mechanics::{Axis, Carried, Datum, Known, MadeSlip, Quantity, Slip, Sought, Trace, Vanishing};
+use crate::mechanics::{Axis, Carried, Datum, Known, MadeSlip, Quantity, Slip, Sought, Trace};
 use crate::number::Value;
 
 use super::asked::Asked;
@@ -54,8 +54,8 @@ fn is_of_numbers(given: &Known<Value>, sought: Option<&Sought>) -> bool {
         Datum::Equation(_) => true,
     };
     let is_of_its_letter = |sought: &Sought| {
-        let is_of_a_slope = |(_, vanishing): &(Value, Vanishing)| matches!(vanishing, Vanishing::Slope(_));
-        sought.letters.iter().all(|letter| *letter == sought.letter) && !sought.places.iter().any(is_of_a_slope)
+        let is_of_a_slope = sought.places.iter().any(|(_, vanishing)| vanishing.is_slope());
+        sought.letters.iter().all(|letter| *letter == sought.letter) && !is_of_a_slope
     };
     given.0.iter().all(is_number) && sought.is_none_or(is_of_its_letter)
 }

@@ -42,7 +42,7 @@ impl Points {
 
     /// What a letter stands for at a point; an angle in radians.
     pub(in crate::mark::working) fn letter(&self, name: &str, point: usize) -> Option<f64> {
-        let same = |(letter, _): &&(Letter, _)| letter.name() == name;
+        let same = |(letter, _): &&(Letter, _)| letter.is_called(name);
         let (letter, values) = self.letters.iter().find(same)?;
         let value = values[point].to_f64();
         Some(if letter.range() == Range::Acute { value.atan() } else { value })
@@ -96,7 +96,7 @@ impl Points {
     pub(in crate::mark::working) fn with(&self, found: &[(Letter, Vec<Option<f64>>)], point: usize) -> Points {
         let mut all = self.clone();
         for (letter, values) in found {
-            let own = all.letters.iter_mut().find(|(known, _)| known.name() == letter.name());
+            let own = all.letters.iter_mut().find(|(known, _)| known.is_called(letter.name()));
             if let (Some((_, at)), Some(value)) = (own, values[point]) {
                 at[point] = Fraction::new((value * FINE as f64).round() as i64, FINE);
             }
