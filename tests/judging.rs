@@ -242,7 +242,7 @@ fn model(row: &Row, name: &str) -> Model {
         other => panic!("what is `{other}`?"),
     };
     let asked: Vec<Quantity> = asked.iter().map(|name| name.parse().unwrap()).collect();
-    let solution = solve(&scene(question), &asked).unwrap_or_else(|refusal| panic!("{question}: {}", refusal.reason));
+    let solution = solve(scene(question), &asked).unwrap_or_else(|refusal| panic!("{question}: {}", refusal.reason));
     let exact = |quantity: &Quantity| solution.exact(*quantity).expect("it was asked for");
     let value = match asked.as_slice() {
         [x, y] => Expr::Vector(Box::new(exact(x)), Box::new(exact(y))),
@@ -257,7 +257,7 @@ fn model(row: &Row, name: &str) -> Model {
     let mut model = finished(&print::plain(&value), kind, Some(quantity), vectors);
     // The sense in which the sphere moves, without which an angle from BA cannot be judged.
     let along: Quantity = format!("{sphere}.after.n").parse().unwrap();
-    let along = solve(&scene(question), &[along]).ok().and_then(|solution| solution.exact(along));
+    let along = solve(scene(question), &[along]).ok().and_then(|solution| solution.exact(along));
     model.rebounds = along.and_then(|along| number(&along, &|_| None).ok()?.sign()).map(Ordering::is_lt);
     model
 }

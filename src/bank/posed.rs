@@ -48,8 +48,9 @@ impl Posed {
     /// As for [`Posed::new`].
     pub fn for_wanted(question: &Question, wanted: &[Quantity], givens: Arc<Givens>) -> Result<Posed, Unposed> {
         let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
-        let solution = solve(&scene, wanted).map_err(Unposed::Refused)?;
-        Ok(Posed { givens, scene: Arc::new(scene), solution: Arc::new(solution) })
+        let scene = Arc::new(scene);
+        let solution = solve(Arc::clone(&scene), wanted).map_err(Unposed::Refused)?;
+        Ok(Posed { givens, scene, solution: Arc::new(solution) })
     }
 
     /// The same with no more than what is determined, where something that is wanted is left open; nothing if there is more
@@ -64,9 +65,10 @@ impl Posed {
         givens: Arc<Givens>,
     ) -> Result<Option<Posed>, Unposed> {
         let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
-        let mut solutions = solve_all(&scene, wanted).map_err(Unposed::Refused)?;
+        let scene = Arc::new(scene);
+        let mut solutions = solve_all(Arc::clone(&scene), wanted).map_err(Unposed::Refused)?;
         let only = solutions.pop().filter(|_| solutions.is_empty());
-        Ok(only.map(|solution| Posed { givens, scene: Arc::new(scene), solution: Arc::new(solution) }))
+        Ok(only.map(|solution| Posed { givens, scene, solution: Arc::new(solution) }))
     }
 
     /// What a name of a requirement stands for: a given, or a result.

@@ -58,7 +58,7 @@ impl Reference {
         let variant = reference(question).ok()?;
         let printed = compose(question, &variant, 1);
         // What is only required has steps too, but a student need not take them.
-        let asked = solve(&variant.scene, &question.asked());
+        let asked = solve(Arc::clone(&variant.scene), &question.asked());
         let variant = Variant { solution: asked.map_or_else(|_| variant.solution.clone(), Arc::new), ..variant };
         let mistakes = mistakes(question, &variant, &printed);
         Some(Reference { variant, printed, mistakes })

@@ -28,7 +28,7 @@ use crate::number::{Angle, Letter, Range, Root, Value, discriminant_of_squares, 
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The scene with the unknowns replaced.
-    pub scene: Scene,
+    pub scene: Arc<Scene>,
     /// Each unknown with its value; of an angle the tangent.
     pub values: Vec<(Letter, Value)>,
     /// The values that an unknown may have, where inequalities determine no single one; it stays a letter.
@@ -45,13 +45,13 @@ pub struct Found {
 
 impl Found {
     /// A scene that is its own only solution.
-    fn given(scene: Scene) -> Found {
+    fn given(scene: Arc<Scene>) -> Found {
         let (values, remarks, others) = (Vec::new(), Vec::new(), Vec::new());
         Found { scene, values, range: None, remarks, others, derived: None, posed: None }
     }
 
     fn from(posed: Arc<Posed>, scene: Scene) -> Found {
-        Found { posed: Some(posed), ..Found::given(scene) }
+        Found { posed: Some(posed), ..Found::given(Arc::new(scene)) }
     }
 
     /// Was there something to be found?
@@ -85,22 +85,22 @@ impl Found {
 ///
 /// The conditions leave the unknowns open, contradict each other or what can happen, or lead to an
 /// equation beyond the methods of an exam.
-pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
+pub fn backwards(scene: Arc<Scene>) -> Result<Vec<Found>, Refusal> {
     if scene.unknowns.is_empty() {
         if scene.conditions.is_empty() && scene.maximise.is_none() {
-            return Ok(vec![Found::given(scene.clone())]);
+            return Ok(vec![Found::given(scene)]);
         }
         let what = match scene.maximise.is_some() {
             true => "a quantity is to be as large as possible, but there is no unknown on which it depends",
             false => "there are conditions, but no unknown to be found from them",
         };
-        return Err(Refusal::underdetermined(what).try_this(name_the_unknown(scene)));
+        return Err(Refusal::underdetermined(what).try_this(name_the_unknown(&scene)));
     }
     if scene.maximise.is_some() && !scene.conditions.is_empty() {
         return Err(Refusal::underdetermined("`maximise` and `conditions` are two ways to find an unknown")
             .try_this("leave one of the two out"));
     }
-    let scene = with_letters(scene);
+    let scene = with_letters(&scene);
     for unknown in &scene.unknowns {
         if !mentions(&scene, *unknown) {
             return Err(Refusal::underdetermined(format!(

@@ -1,5 +1,7 @@
 //! A scene that has been read: every expression evaluated, every letter with its range.
 
+use std::sync::Arc;
+
 use super::later::Meeting;
 use super::scene_text::Sense;
 use super::setting::Setting;
@@ -106,6 +108,13 @@ pub struct Then {
     pub meeting: Meeting,
     /// The impact by itself, with A and B for who has their parts; velocities that are carried over are not in it.
     pub scene: Scene,
+}
+
+/// A scene that is solved is shared with its solution; one that is lent is copied for that.
+impl From<&Scene> for Arc<Scene> {
+    fn from(scene: &Scene) -> Arc<Scene> {
+        Arc::new(scene.clone())
+    }
 }
 
 impl Scene {

@@ -3,6 +3,8 @@
 //! A line of centres without a sense points from A to B as the bodies approach. If that depends on an unknown, the line is
 //! turned either way, and each solution is that of the way in which they do approach.
 
+use std::sync::Arc;
+
 use super::backwards::Found;
 use super::pose::relative;
 use super::refusal::{Because, Refusal};
@@ -47,7 +49,7 @@ pub(super) fn of_both_ways(scene: &Scene, found: [Result<Vec<Found>, Refusal>; 2
         // The line of centres has no sense again, and what was found in the place of letters.
         let (letters, values): (Vec<Letter>, Vec<Value>) = one.values.iter().cloned().unzip();
         if let Some(there) = substituted(scene, &letters, &values) {
-            one.scene.contact = there.contact;
+            Arc::make_mut(&mut one.scene).contact = there.contact;
         }
         let open = refusals.iter().filter(|refusal| refusal.because != Because::Impossible);
         one.remarks

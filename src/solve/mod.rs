@@ -9,6 +9,7 @@ pub use report::{Answer, Report, StepReport, report};
 
 use std::cmp::Ordering;
 use std::iter;
+use std::sync::Arc;
 
 use answer_path::{AnswerPath, answer_path};
 
@@ -37,7 +38,7 @@ pub struct Solution {
 ///
 /// A [`Refusal`] with its reason in mechanics: the scene cannot happen, leaves a quantity open, or
 /// needs more than the methods of an exam.
-pub fn solve(scene: &Scene, asked: &[Quantity]) -> Result<Solution, Refusal> {
+pub fn solve(scene: impl Into<Arc<Scene>>, asked: &[Quantity]) -> Result<Solution, Refusal> {
     let mut solutions = solve_all(scene, asked)?;
     if solutions.len() > 1 {
         let values: Vec<String> = solutions.iter().map(Solution::found_in_words).collect();
@@ -58,11 +59,13 @@ pub fn solve(scene: &Scene, asked: &[Quantity]) -> Result<Solution, Refusal> {
 /// # Errors
 ///
 /// As for [`solve`], but for what is left open.
-pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
-    all_solutions(scene, asked).map_err(|refusal| refusal.said_of(scene.setting))
+pub fn solve_all(scene: impl Into<Arc<Scene>>, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
+    let scene = scene.into();
+    let setting = scene.setting;
+    all_solutions(scene, asked).map_err(|refusal| refusal.said_of(setting))
 }
 
-fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
+fn all_solutions(scene: Arc<Scene>, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
     let roots = backwards(scene)?;
     let one = |mut root: Found| -> Result<Solution, Refusal> {
         let given = pose(&root.scene)?;

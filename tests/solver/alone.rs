@@ -143,7 +143,7 @@ fn carom_knows_that_this_judge_complains_of_a_broken_law() {
 }
 
 fn refusal(scene: serde_json::Value) -> String {
-    let refusal = carom::solve::solve(&super::scenes::read(&scene), &[]).map(drop).unwrap_err();
+    let refusal = carom::solve::solve(super::scenes::read(&scene), &[]).map(drop).unwrap_err();
     [refusal.reason, refusal.help.unwrap_or_default()].join("; ")
 }
 
@@ -173,7 +173,7 @@ fn carom_knows_that_an_impulse_is_the_change_of_momentum() {
     let kept = json!({
         "masses": { "A": "2" }, "before": { "A": ["1", "0"] }, "after": { "A": ["5", "3"] }, "impulse": ["8", "6"]
     });
-    assert!(carom::solve::solve(&super::scenes::read(&kept), &[]).is_ok());
+    assert!(carom::solve::solve(super::scenes::read(&kept), &[]).is_ok());
 }
 
 #[test]

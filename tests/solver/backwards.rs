@@ -112,7 +112,7 @@ fn complaint(case: &Case) -> Option<String> {
     let started = Instant::now();
     let after = |axis| Quantity::Velocity(Sphere::A, Moment::After, axis);
     let asked: Vec<Quantity> = spoken_of(case).into_iter().chain([Axis::X, Axis::Y].map(after)).collect();
-    let outcome = solve_all(&scene(case), &asked);
+    let outcome = solve_all(scene(case), &asked);
     if started.elapsed() > LONGEST {
         return Some(format!("takes {:?}", started.elapsed()));
     }
@@ -186,7 +186,7 @@ fn carom_speaks_of_every_quantity_in_words() {
     let table: Table = toml::from_str(include_str!("../data/backwards.toml")).unwrap();
     let mut tried = 0;
     for case in &table.scene {
-        for solution in solve_all(&scene(case), &spoken_of(case)).unwrap_or_default() {
+        for solution in solve_all(scene(case), &spoken_of(case)).unwrap_or_default() {
             let text = said(&solution);
             assert_eq!(name_in(&text), None, "{}:\n{text}", case.name);
             tried += 1;
@@ -223,7 +223,7 @@ fn carom_speaks_of_every_quantity_in_words() {
                 let mut scene = scene.clone();
                 scene["unknowns"] = json!(["e"]);
                 scene["conditions"] = json!([condition]);
-                for solution in solve_all(&read(&scene), &[]).unwrap_or_default() {
+                for solution in solve_all(read(&scene), &[]).unwrap_or_default() {
                     let text = said(&solution);
                     assert_eq!(name_in(&text), None, "{condition}:\n{text}");
                     assert!(!text.contains('_') || text.contains("_A") || text.contains("_B"), "{condition}:\n{text}");
@@ -241,7 +241,7 @@ fn carom_says_what_the_symbols_of_a_condition_mean() {
         "masses": { "A": "1", "B": "1" }, "before": { "A": ["4", "2"], "B": ["0", "0"] }, "line_of_centres": ["1", "0"],
         "sense": "A_to_B", "unknowns": ["e"], "conditions": ["B.after.ke = A.before.ke/2"]
     });
-    let text = said(&solve_all(&read(&scene), &[]).unwrap()[0]);
+    let text = said(&solve_all(read(&scene), &[]).unwrap()[0]);
     let expected =
         "the kinetic energy of B after the impact is p/2, where p is the kinetic energy of A before the impact.";
     assert!(text.contains(expected), "{text}");

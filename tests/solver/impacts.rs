@@ -250,19 +250,19 @@ fn carom_knows_the_line_of_centres_and_the_ratio_of_masses_from_four_velocities(
         read(&json)
     };
     let asked = [Quantity::MassRatio, Quantity::Restitution];
-    let solution = carom::solve::solve(&scene(["2", "-4"]), &asked).unwrap();
+    let solution = carom::solve::solve(scene(["2", "-4"]), &asked).unwrap();
     // B's change of 3 i answers A's change of -3 i; separation 1 over approach 5.
     assert_eq!(solution.number(Quantity::MassRatio), Some(Value::ONE));
     assert_eq!(solution.number(Quantity::Restitution), Some(Value::fraction(1, 5)));
     for (after_b, reason) in [(["2", "-3"], "perpendicular"), (["-2", "-4"], "no positive masses")] {
-        let refusal = carom::solve::solve(&scene(after_b), &asked).unwrap_err();
+        let refusal = carom::solve::solve(scene(after_b), &asked).unwrap_err();
         assert!(refusal.reason.contains(reason), "{}", refusal.reason);
     }
 }
 
 #[test]
 fn carom_says_of_what_cannot_happen_what_e_would_be_and_which_masses_are_not_positive() {
-    let reason = |json: serde_json::Value| carom::solve::solve(&read(&json), &[]).unwrap_err().reason;
+    let reason = |json: serde_json::Value| carom::solve::solve(read(&json), &[]).unwrap_err().reason;
     let into_b = serde_json::json!({"masses": {"A": "2", "B": "3"}, "before": {"A": ["3", "1"], "B": ["0", "0"]},
         "after": {"A": ["2", "1"]}, "line_of_centres": ["1", "0"], "e": "0"});
     // B has 2/3 then, and the separation is -4/3 of an approach of 3.

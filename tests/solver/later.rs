@@ -321,7 +321,7 @@ fn what_cannot_happen_later_is_refused_with_the_impact_at_which_it_cannot() {
         let text = format!(
             r#"{{"masses": {{"A": "1", "B": "2"}}, "before": {{"A": "6", "B": "0"}}, "e": "1/2", "then": [{then}]}}"#
         );
-        solve(&read(&serde_json::from_str(&text).unwrap()), &[]).map(drop)
+        solve(read(&serde_json::from_str(&text).unwrap()), &[]).map(drop)
     };
     // A is at rest then, and B goes on with 3.
     let again = refused(r#"{"of": ["A", "B"], "e": "1/2"}"#).unwrap_err();
@@ -366,7 +366,7 @@ fn a_range_counts_what_must_hold_at_every_impact() {
     let text = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": "6", "B": "0"}, "e": "1", "symbols": {"f": "unit"},
         "unknowns": ["f"], "conditions": ["second.B.after.n < A.after.n"],
         "then": [{"of": ["B"], "wall": ["0", "1"], "e": "f"}]}"#;
-    let solution = solve(&read(&serde_json::from_str(text).unwrap()), &[]).unwrap();
+    let solution = solve(read(&serde_json::from_str(text).unwrap()), &[]).unwrap();
     let range = carom::expr::print::plain(&solution.range().unwrap().written());
     // After an elastic impact A has -2 and B has 4: B catches it if 4f > 2.
     assert_eq!(range, "1/2 < f <= 1");

@@ -72,7 +72,7 @@ fn cases() -> Vec<(&'static str, Json, &'static str)> {
 #[test]
 fn carom_knows_from_where_to_where() {
     for (name, scene, expected) in cases() {
-        let solution = solve(&read(&scene), &[]).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
+        let solution = solve(read(&scene), &[]).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
         let values = solution.range().unwrap_or_else(|| panic!("{name}"));
         let written = print::plain(&values.written());
         assert_eq!(written.replace("sqrt(2)/2", "1/2*sqrt(2)"), expected, "{name}");
@@ -84,7 +84,7 @@ fn carom_knows_from_where_to_where() {
 fn carom_knows_that_it_happens_inside_and_not_outside() {
     let mut tried = [0, 0];
     for (name, scene, _) in cases() {
-        let solution = solve(&read(&scene), &[]).unwrap();
+        let solution = solve(read(&scene), &[]).unwrap();
         let values = solution.range().unwrap();
         let letter = scene["unknowns"][0].as_str().unwrap();
         let condition = scene["conditions"][0].as_str().unwrap();
@@ -121,7 +121,7 @@ fn carom_knows_that_it_happens_inside_and_not_outside() {
                     scene.as_object_mut().unwrap().remove(empty);
                 }
             }
-            let happens = match solve(&read(&scene), &[quantity]) {
+            let happens = match solve(read(&scene), &[quantity]) {
                 Err(_) => false,
                 Ok(found) => {
                     let sign = (&found.number(quantity).unwrap() - &right).sign().unwrap();
@@ -165,7 +165,7 @@ fn carom_says_why_there_is_no_range() {
             "unknowns": [unknown], "conditions": [condition]
         })
     };
-    let refusal = |condition: &str| solve(&read(&with("e", condition)), &[]).unwrap_err().to_string();
+    let refusal = |condition: &str| solve(read(&with("e", condition)), &[]).unwrap_err().to_string();
     assert_eq!(refusal("A.after.x < 10"), "the conditions hold whatever e is");
     assert_eq!(refusal("A.after.x > 10"), "the conditions hold for no value of e");
     // B has 2(1 + e) after, which is at most 4.
@@ -174,7 +174,7 @@ fn carom_says_why_there_is_no_range() {
     // A has 2 - 3e after.
     let mut of_k = with("e", "A.after.x > k");
     of_k["symbols"]["k"] = "positive".into();
-    let refusal = solve(&read(&of_k), &[]).unwrap_err();
+    let refusal = solve(read(&of_k), &[]).unwrap_err();
     assert_eq!(refusal.reason, "a range of e with ends in terms of k is not found here");
     // Momentum alone makes k = 1.
     let over = |condition: &str| {
@@ -184,7 +184,7 @@ fn carom_says_why_there_is_no_range() {
         })
     };
     for condition in ["ke.after > 1", "ke.after > 100", "ke.after < 2"] {
-        let refusal = solve(&read(&over(condition)), &[]).unwrap_err();
+        let refusal = solve(read(&over(condition)), &[]).unwrap_err();
         assert!(refusal.reason.contains("more is given than the impact needs"), "{condition}: {refusal}");
         assert!(refusal.help.is_some_and(|help| help.contains("leave out the inequality")), "{condition}");
     }
@@ -205,14 +205,14 @@ fn carom_knows_that_a_set_may_end_where_a_square_root_does() {
         ("A.after.x < 20 + sqrt(4*e - 1)", "1/4 <= e <= 1"),
         ("A.after.x < 1 + sqrt(1 - 2*e)", "0 < e <= 1/2"),
     ] {
-        let solution = solve(&read(&with_e(condition)), &[]).unwrap_or_else(|refusal| panic!("{condition}: {refusal}"));
+        let solution = solve(read(&with_e(condition)), &[]).unwrap_or_else(|refusal| panic!("{condition}: {refusal}"));
         assert_eq!(print::plain(&solution.range().unwrap().written()), expected, "{condition}");
     }
 }
 
 /// The working by which an unknown was found, as one text.
 fn said(scene: &Json) -> String {
-    let solution = solve(&read(scene), &[]).unwrap_or_else(|refusal| panic!("{scene}: {refusal}"));
+    let solution = solve(read(scene), &[]).unwrap_or_else(|refusal| panic!("{scene}: {refusal}"));
     let mut text = String::new();
     for line in solution.finding() {
         text.push_str(&print::text_unicode(&line.words));
@@ -232,9 +232,9 @@ fn carom_takes_no_side_of_approach_where_the_unknown_decides_it() {
             "unknowns": ["k"], "conditions": ["A.after.speed < 5"]
         })
     };
-    let refusal = solve(&read(&at_wall("real")), &[]).unwrap_err();
+    let refusal = solve(read(&at_wall("real")), &[]).unwrap_err();
     assert_eq!(refusal.reason, "from which side the bodies approach depends on k");
-    let solution = solve(&read(&at_wall("positive")), &[]).unwrap();
+    let solution = solve(read(&at_wall("positive")), &[]).unwrap();
     assert_eq!(print::plain(&solution.range().unwrap().written()), "0 < k < 8");
 }
 

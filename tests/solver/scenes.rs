@@ -47,7 +47,7 @@ impl Forward {
     }
 
     pub fn solve(&self, asked: &[Quantity]) -> Result<Solution, Refusal> {
-        solve(&read(&self.json()), asked)
+        solve(read(&self.json()), asked)
     }
 
     /// Every component put through a change, each with its sphere and its partner.

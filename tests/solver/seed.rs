@@ -122,7 +122,7 @@ fn symbols(scene: &Json) -> BTreeMap<String, String> {
 }
 
 fn solved(scene: &Json, asked: &[Quantity]) -> Solution {
-    solve(&read(scene), asked).unwrap_or_else(|refusal| panic!("{refusal}\n{scene}"))
+    solve(read(scene), asked).unwrap_or_else(|refusal| panic!("{refusal}\n{scene}"))
 }
 
 /// Numbers for letters, to compare formulas by their decimals too.
@@ -325,7 +325,7 @@ fn carom_knows_that_two_exercises_of_the_seed_are_impossible() {
         let case = case(id);
         assert!(!case.feasible);
         for asked in [vec![], vec!["B.after.x".parse().unwrap()], vec!["e".parse().unwrap()], Quantity::all()] {
-            let refusal = solve(&read(&case.scene), &asked).unwrap_err();
+            let refusal = solve(read(&case.scene), &asked).unwrap_err();
             assert_eq!(refusal.because, Because::Impossible, "{id}");
             let minus = [format!("e would be -{e}"), format!("e would be \u{2212}{e}")];
             assert!(minus.iter().any(|words| refusal.reason.contains(words)), "{id}: {refusal}");

@@ -231,7 +231,7 @@ fn open(read: &Scene, question: &Question, file: &QuestionFile, faults: &mut Fau
 fn needs_only_e(scene: &Scene, quantity: Quantity) -> bool {
     let half = Given { value: Value::fraction(1, 2), shown: Expr::Decimal("0.5".to_owned()) };
     let with_e = || Scene { restitution: Some(half), ..scene.clone() };
-    scene.restitution.is_none() && solve(&with_e(), &[quantity]).is_ok()
+    scene.restitution.is_none() && solve(with_e(), &[quantity]).is_ok()
 }
 
 /// The first thing that a scene of two spheres, or of one and a wall, has as a rule and this one has not.

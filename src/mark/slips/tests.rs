@@ -327,7 +327,7 @@ fn a_letter_is_found_again_by_who_makes_a_slip() {
         (greatest, Asked::Unknown, "coalesce", degrees(3.0 / 4.0)),
         (right_angle, e, "sincos-swap", 3.0),
     ] {
-        let solution = solve(&scene(text), &[]).unwrap();
+        let solution = solve(scene(text), &[]).unwrap();
         let letters = solution.scene().letters.clone();
         let given = solution.given().clone();
         let mistakes = Mistakes::of(&given, std::slice::from_ref(&asked), &letters, solution.sought().as_ref());
@@ -345,7 +345,7 @@ fn a_letter_is_found_again_by_who_makes_a_slip() {
 fn who_finds_nothing_finds_no_number() {
     let text = r#"{"masses": {"A": "1", "B": "3"}, "before": {"A": "5", "B": "0"}, "e": "e", "symbols": {"e": "unit"},
         "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
-    let solution = solve(&scene(text), &[]).unwrap();
+    let solution = solve(scene(text), &[]).unwrap();
     let given = solution.given().clone();
     let mistakes = Mistakes::of(&given, &[Asked::Ends], &solution.scene().letters, solution.sought().as_ref());
     // With e = 1 or e = 0 there is no e to be found, and in a direct impact no paths are at right angles.
@@ -359,7 +359,7 @@ fn who_finds_nothing_finds_no_number() {
 fn an_end_of_a_range_that_is_none_has_its_causes() {
     let text = r#"{"masses": {"A": "2", "B": "3"}, "before": {"A": "5", "B": "0"}, "e": "e",
         "symbols": {"e": "unit"}, "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
-    let solution = solve(&scene(text), &[]).unwrap();
+    let solution = solve(scene(text), &[]).unwrap();
     let letters = solution.scene().letters.clone();
     let given = solution.given().clone();
     let mistakes = Mistakes::of(&given, &[Asked::Ends], &letters, solution.sought().as_ref());
