@@ -294,10 +294,14 @@ fn broken(known: &Known<Value>) -> Vec<Broken> {
     broken
 }
 
+/// The laws speak of no more quantities than these.
+const MOST_SIDES: usize = 18;
+
 /// What the laws speak of.
 fn sides(known: &Known<Value>) -> Vec<Quantity> {
     let moments = [Moment::Before, Moment::After];
-    let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0]];
+    let mut asked = Vec::with_capacity(MOST_SIDES);
+    asked.extend([Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0]]);
     // Of what stands still before and after, as a wall does, no mass follows; and of masses that are given no ratio is asked.
     let stands_still = || ALONG.into_iter().skip(1).step_by(2).all(|along| is_nought(known, along));
     if !MASSES.into_iter().all(|mass| known.0.contains_key(&mass)) && !stands_still() {

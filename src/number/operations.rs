@@ -133,7 +133,11 @@ impl Neg for &Value {
     fn neg(self) -> Value {
         match self {
             Value::Rational(number) => Value::Rational(-number.clone()),
-            Value::Compound(_) => self * &Value::from(-1),
+            Value::Compound(compound) => {
+                let terms = compound.terms.iter().map(|(key, p)| (key.clone(), -p)).collect();
+                let terms = Terms::from_sorted_store_unchecked(terms);
+                Value::Compound(Arc::new(Compound { terms, denominator: compound.denominator.clone() }))
+            }
         }
     }
 }

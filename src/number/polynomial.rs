@@ -125,7 +125,7 @@ impl Polynomial {
 
     /// The coefficients of the powers 0, 1, 2, … of a letter.
     pub fn coefficients(&self, letter: Letter) -> Vec<Polynomial> {
-        let mut coefficients = vec![Polynomial::zero(); self.degree(letter) as usize + 1];
+        let mut coefficients: Vec<Polynomial> = (0..=self.degree(letter)).map(|_| Polynomial::zero()).collect();
         for (monomial, value) in &self.terms {
             let power = exponent(monomial, letter);
             let rest = monomial.iter().filter(|(other, _)| *other != letter).copied().collect();
@@ -156,14 +156,16 @@ impl Polynomial {
 
     /// The rate of change with a letter.
     pub fn derivative(&self, letter: Letter) -> Polynomial {
-        let coefficients = self.coefficients(letter);
-        let lowered: Vec<Polynomial> = coefficients
-            .iter()
-            .enumerate()
-            .skip(1)
-            .map(|(power, coefficient)| coefficient.scaled(&Fraction::from(power as i64)))
-            .collect();
-        Polynomial::from_coefficients(letter, &lowered)
+        let lowered = self.terms.iter().filter_map(|(monomial, coefficient)| {
+            let power = exponent(monomial, letter);
+            let lower = |(own, power): &(Letter, u32)| {
+                let power = power - u32::from(*own == letter);
+                (power > 0).then_some((*own, power))
+            };
+            let factor = Fraction::from(i64::from(power));
+            (power > 0).then(|| (monomial.iter().filter_map(lower).collect(), coefficient * &factor))
+        });
+        Polynomial::from_terms(lowered)
     }
 
     /// The positive number that leaves coprime whole coefficients when divided out; one for nought.

@@ -23,6 +23,9 @@ pub type Figures = SmallVec<[f64; 2 * POINTS]>;
 /// The answers of a question in figures, each where it has a value.
 pub type Answers = Vec<Option<Figures>>;
 
+/// As a rule no more slips than these change anything.
+const MANY: usize = 16;
+
 /// A slip that changes a value somewhere on the way to the answers.
 #[derive(Clone, Debug)]
 pub struct Outcome {
@@ -103,7 +106,7 @@ fn carried_out<const N: usize>(
         };
         answers.iter().zip(&right).map(one).collect()
     };
-    let mut outcomes = Vec::new();
+    let mut outcomes = Vec::with_capacity(MANY);
     for (slip, owned) in Slip::all().iter().enumerate() {
         let mut acts = false;
         let shown = roads.iter_mut().filter(|road| road.has_law_of(slip)).find_map(|road| {
