@@ -30,7 +30,7 @@ pub use glance::glance;
 pub use neighbours::neighbours;
 pub use report::{AnswerForms, Hidden, Report, StyleReport, Turned};
 pub use students::{Expected, Student, students};
-pub use survey::{MARKED, survey, work};
+pub use survey::{MARKED, Step, survey, work};
 
 /// What stands in a text, each with what is to stand in its place.
 #[cfg(test)]

@@ -48,13 +48,25 @@ struct Family<'q> {
     sieves: Vec<(usize, Sieve<'q>)>,
 }
 
-/// How much there is to do, in the measure in which `progress` is told of it.
+/// What has been done since it was last told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// So many sets of numbers have been examined; [`work`] says how many there are.
+    Sets(u64),
+    /// The variants of one style more have been marked, or the reference numbers of one question, of so many in all.
+    Marked {
+        /// All that are to be marked.
+        of: u64,
+    },
+}
+
+/// How many sets of numbers there are to examine.
 pub fn work<'q>(questions: impl IntoIterator<Item = &'q Question>) -> u64 {
     questions.into_iter().flat_map(|question| &question.styles).map(|style| style.size().min(MOST_SETS)).sum()
 }
 
-/// Examines questions; `progress` is told of each piece of [`work`] that is done.
-pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<Report> {
+/// Examines questions; `progress` is told of each step.
+pub fn survey(questions: &[&Question], progress: &(dyn Fn(Step) + Sync)) -> Vec<Report> {
     let families = families(questions);
     let empty = || -> Vec<Done> { questions.iter().map(|question| Done::new(question)).collect() };
     let mut total = empty();
@@ -66,13 +78,14 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
                 done[*question].tallies[*style].examine(sieve, &numbers);
             }
         }
-        progress((to - from) * sieves.len() as u64);
+        progress(Step::Sets((to - from) * sieves.len() as u64));
     };
     for done in on_all_processors(&sets(&families), &empty, &examine) {
         total.iter_mut().zip(done).for_each(|(total, done)| total.add(done));
     }
     // Only then is it known which variants can be dealt.
     let tallies = |question: usize| &total[question].tallies;
+    let looked_at = looked_at(questions);
     let look = |done: &mut Vec<Done>, (question, style): &(usize, Option<usize>)| {
         let of = questions[*question];
         for (dealt, variant) in dealt_variants(of, *style, tallies(*question)) {
@@ -83,8 +96,9 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
                 done[*question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
             }
         }
+        progress(Step::Marked { of: looked_at.len() as u64 });
     };
-    for done in on_all_processors(&looked_at(questions), &empty, &look) {
+    for done in on_all_processors(&looked_at, &empty, &look) {
         total.iter_mut().zip(done).for_each(|(total, done)| total.add(done));
     }
     let exercises = scheme::exercises();

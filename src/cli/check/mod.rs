@@ -102,7 +102,7 @@ fn examine(read: Vec<(&Heading, Question)>, is_fresh: bool) -> Vec<Examined<'_>>
     let unknown: Vec<&Question> =
         read.iter().zip(&known).filter(|(_, known)| known.is_none()).map(|((_, question), _)| question).collect();
     let progress = Progress::new(unknown.iter().copied());
-    let mut found = survey(&unknown, &|done| progress.advance(done)).into_iter();
+    let mut found = survey(&unknown, &|step| progress.advance(step)).into_iter();
     progress.finish();
     let mut examined = Vec::new();
     for ((heading, question), known) in read.into_iter().zip(known) {

@@ -1,39 +1,56 @@
 //! How far the examination has come, on a terminal; nothing in a pipe.
 
 use std::fmt::Write;
+use std::sync::Once;
 use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use serde_json::{Value as Json, json};
 
 use crate::bank::{Question, Style, StyleName};
-use crate::examine::work;
+use crate::examine::{Step, work};
 use crate::generate::{Census, enumerate};
 
-/// How many sets of numbers have been tried.
+/// How many sets of numbers have been tried, and then of how many styles the variants have been marked.
 pub struct Progress {
     bar: ProgressBar,
+    marks: Once,
 }
 
 impl Progress {
     /// The progress through all styles of some questions.
     pub fn new<'q>(questions: impl IntoIterator<Item = &'q Question>) -> Progress {
         // The bar draws itself on stderr, and not at all if that is no terminal.
-        let bar = ProgressBar::new(work(questions));
-        if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} sets of numbers{left}") {
+        let progress = Progress { bar: ProgressBar::new(work(questions)), marks: Once::new() };
+        progress.count("sets of numbers");
+        progress
+    }
+
+    /// What the bar counts.
+    fn count(&self, what: &str) {
+        if let Ok(style) = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {what}{{left}}")) {
             let left = |state: &ProgressState, line: &mut dyn Write| {
                 let left = left(state.elapsed(), state.fraction());
                 // A line that cannot be drawn is drawn again at once.
                 let _ = left.map_or(Ok(()), |left| write!(line, ", {:#} left", HumanDuration(left)));
             };
-            bar.set_style(style.with_key("left", left));
+            self.bar.set_style(style.with_key("left", left));
         }
-        Progress { bar }
     }
 
-    /// So many sets more.
-    pub fn advance(&self, done: u64) {
-        self.bar.inc(done);
+    /// One step further.
+    pub fn advance(&self, step: Step) {
+        match step {
+            Step::Sets(done) => self.bar.inc(done),
+            Step::Marked { of } => {
+                self.marks.call_once(|| {
+                    self.bar.reset();
+                    self.bar.set_length(of);
+                    self.count("styles marked");
+                });
+                self.bar.inc(1);
+            }
+        }
     }
 
     fn at(&self, before: u64, done: u64) {
