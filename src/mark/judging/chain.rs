@@ -304,7 +304,7 @@ fn is_plain(expr: &Expr) -> bool {
 }
 
 /// Is the second of two bare numbers the first, rounded to the places that it has?
-fn is_rounding(first: &Said, second: &Said) -> bool {
+pub(in crate::mark) fn is_rounding(first: &Said, second: &Said) -> bool {
     let written = |said: &Said| match &said.form {
         Form::Value(expr) => Written::of(expr),
         _ => None,
@@ -313,7 +313,7 @@ fn is_rounding(first: &Said, second: &Said) -> bool {
 }
 
 /// Is the second of two bare numbers less than one in its last place off the first, which has more places: `3.7643 = 3.77`?
-fn is_nearly_rounding(first: &Said, second: &Said) -> bool {
+pub(in crate::mark) fn is_nearly_rounding(first: &Said, second: &Said) -> bool {
     let written = |said: &Said| match &said.form {
         Form::Value(expr) => Written::of(expr),
         _ => None,

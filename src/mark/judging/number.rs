@@ -16,6 +16,7 @@ use super::coefficients;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
+use super::powers::is_right_but_for_powers;
 use super::said_twice::said_twice;
 use super::units::{self, UnitCheck};
 use super::{Model, Note, angle, changes, left_side, sense};
@@ -255,6 +256,9 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     let reciprocal = Expr::integer(1).over(expr.clone());
     if !expr.is_zero() && exact::equals(model, &reciprocal) == Equality::Equal {
         return Finding::wrong(Note::Inverted);
+    }
+    if finding == Finding::WRONG && is_right_but_for_powers(model, expr) {
+        return Finding::wrong(Note::PowersOfLetters);
     }
     finding
 }

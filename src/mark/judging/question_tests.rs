@@ -3,8 +3,9 @@
 
 use super::known::Prepared;
 use super::*;
-use crate::expr::{Angles, read};
-use crate::mark::reading::read_answer;
+use crate::expr::{Angles, Expr, read};
+use crate::mark::reading::{Vocabulary, read_answer};
+use crate::mechanics::Sphere;
 use crate::number::{Letter, Range};
 
 /// The verdicts on what is typed, of a model of which more is known.

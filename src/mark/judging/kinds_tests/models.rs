@@ -1,6 +1,7 @@
 //! Models, printed results and notes.
 
 use super::*;
+use crate::mark::reading::Vocabulary;
 
 #[test]
 fn a_model_fits_its_kind_or_is_refused() {

@@ -51,6 +51,18 @@ fn a_sign_is_lost_unless_it_is_said_to_be_a_change() {
     ] {
         assert_eq!(earns(&sixth, None, vec![value(text)]), expected, "{text}");
     }
+    let energy = asked("10*m*u^2*(1-e^2)", None, "ke.lost");
+    for (text, expected) in [
+        ("10*m*(1-e^2)", "wrong powers-of-letters"),
+        ("10*(1-e^2)", "wrong powers-of-letters"),
+        ("10*m*u*(1-e^2)", "wrong powers-of-letters"),
+        ("10*m^2*u^2*(1-e^2)", "wrong powers-of-letters"),
+        ("10*u^2*(1-e^2)", "partial letter-missing"),
+        ("5*m*(1-e^2)", "wrong"),
+        ("10*m*u^2*(1-e)", "wrong"),
+    ] {
+        assert_eq!(earns(&energy, None, vec![value(text)]), expected, "{text}");
+    }
     let long = model("u*(sqrt(3)*cos(alpha) + e*sin(alpha)/3)", None, "awrt 3sf");
     assert_eq!(earns(&long, None, vec![value("u*(1.73*cos(alpha) + 0.333*e*sin(alpha))")]), "correct");
     assert_eq!(earns(&long, None, vec![value("u*(1.73*cos(alpha) + 0.433*e*sin(alpha))")]), "wrong");
