@@ -6,6 +6,7 @@ use std::rc::Rc;
 use super::decide::ENOUGH;
 use super::left::Left;
 use super::memory::{Judged, Lines, Memory};
+use super::rounded::rounded_from;
 use crate::answer::{Accept, Kind};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
@@ -75,7 +76,14 @@ pub(super) fn judged(
         };
         let typed = alone.or(unnamed).or(left.as_ref().map(|(line, _)| *line)).map(str::to_owned);
         let found = match (alone, left, together) {
-            (Some(answer), ..) => judged(answer),
+            (Some(answer), ..) => {
+                let found = judged(answer);
+                // What looks cut off may be a value of the working, rounded: then that is what is right or wrong.
+                let is_cut_off = found.judgement.note == Some(Note::Truncated.tag());
+                let readings = found.readings.as_deref().filter(|_| is_cut_off);
+                let longer = readings.and_then(|readings| rounded_from(part, place, readings, script, &lines));
+                longer.map_or(found, |longer| judged(&longer))
+            }
             (None, Some((_, found)), _) => found,
             (None, None, Some(together)) => {
                 Judged::new(profiled(together, &blank.model, profile).in_setting(part.setting), None)

@@ -17,6 +17,7 @@ mod luck;
 mod memory;
 mod misread;
 mod overrule;
+mod rounded;
 mod withhold;
 
 pub use follow::from_own_values;
