@@ -1,5 +1,6 @@
 //! Methods that are seen where a student goes on from a wrong value, though nothing of what the law gives is right.
 
+use super::impulse::is_worked;
 use super::shapes::two_squares;
 use crate::bank::Code;
 use crate::expr::Expr;
@@ -96,12 +97,27 @@ impl Working<'_> {
         if self.prepared.setting != Setting::Oblique {
             return None;
         }
-        let own: Vec<[Vec<f64>; 2]> = Sphere::BOTH.into_iter().filter_map(|sphere| self.own_change(sphere)).collect();
-        let is_own =
-            |values: &[Value]| own.iter().any(|[x, y]| [1.0, -1.0].iter().any(|sign| is_vector(values, x, y, *sign)));
+        let of_both =
+            |own: &dyn Fn(Sphere) -> Option<[Vec<f64>; 2]>| Vec::from_iter(Sphere::BOTH.into_iter().filter_map(own));
+        let momenta = of_both(&|sphere| self.own_change(sphere));
+        // The line of centres is along the change of velocity as well.
+        let is_impulse =
+            |find: &Quantity| matches!(find.of_its_impact(), Quantity::Impulse(..) | Quantity::ImpulseMagnitude);
+        let velocities =
+            match self.part.blanks.iter().flat_map(|blank| blank.find.quantities()).any(|find| is_impulse(&find)) {
+                true => Vec::new(),
+                false => of_both(&|sphere| self.own_change_of_velocity(sphere)),
+            };
+        let is_one_of = |own: &[[Vec<f64>; 2]], values: &[Value]| {
+            own.iter().any(|[x, y]| [1.0, -1.0].iter().any(|sign| is_vector(values, x, y, *sign)))
+        };
         let is_change = |expr: &Expr| Sphere::BOTH.into_iter().any(|sphere| self.is_change_of(sphere, expr));
         let line = self.lines.iter().position(|studied| {
-            self.members(studied).any(|(member, values)| is_own(values) || is_change(&member.expr))
+            self.members(studied).any(|(member, values)| {
+                is_one_of(&momenta, values)
+                    || is_worked(&member.expr) && is_one_of(&velocities, values)
+                    || is_change(&member.expr)
+            })
         })?;
         Some(Evidence::given(line, law.name()))
     }
@@ -109,11 +125,16 @@ impl Working<'_> {
     /// `m(v - u)` for the student's own v.
     pub(super) fn own_change(&self, sphere: Sphere) -> Option<[Vec<f64>; 2]> {
         let mass = sizes(&self.prepared.known, Quantity::Mass(sphere))?;
+        let changes = self.own_change_of_velocity(sphere)?;
+        Some(changes.map(|change| change.iter().zip(&mass).map(|(change, mass)| change * mass).collect()))
+    }
+
+    /// `v - u` for the student's own v.
+    fn own_change_of_velocity(&self, sphere: Sphere) -> Option<[Vec<f64>; 2]> {
         let along = |axis| {
             let (own, _) = self.theirs.values.get(&Quantity::Velocity(sphere, Moment::After, axis))?;
             let before = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, axis))?;
-            let each = mass.iter().zip(own.iter().zip(before));
-            Some(each.map(|(mass, (after, before))| mass * (after - before)).collect::<Vec<f64>>())
+            Some(own.iter().zip(before).map(|(after, before)| after - before).collect::<Vec<f64>>())
         };
         let [x, y] = [along(Axis::X)?, along(Axis::Y)?];
         x.iter().chain(&y).any(|size| size.abs() > 1e-9).then_some([x, y])
