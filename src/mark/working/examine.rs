@@ -215,6 +215,7 @@ fn examine_lines(
     working.settle_doubts();
     working.evaluate();
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
+    working.tell_unlike_momentum();
     let stated = (0..part.blanks.len()).map(|place| working.stated(place)).collect();
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();

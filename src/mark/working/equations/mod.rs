@@ -18,6 +18,7 @@ mod terms;
 mod told_apart;
 mod trials;
 mod two_lines;
+mod unlike;
 mod unusual;
 
 pub(super) use apiece::Apiece;

@@ -56,9 +56,9 @@ pub(in crate::mark::working) struct Inputs {
 /// The two laws at every point of the letters.
 #[derive(Clone, Debug)]
 pub(in crate::mark::working) struct Laws {
-    inputs: Vec<Inputs>,
+    pub(super) inputs: Vec<Inputs>,
     /// What both velocities along the line of centres are after the impact, where that follows.
-    after: Option<Vec<[f64; 2]>>,
+    pub(super) after: Option<Vec<[f64; 2]>>,
     /// Is something given of it?
     is_after_given: bool,
     /// What each letter of the speeds that are given stands for at every point.
