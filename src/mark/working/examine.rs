@@ -4,7 +4,7 @@ use super::numbers::{Context, Spread, Sum, sizes, sum};
 use std::rc::Rc;
 
 use super::denied::End;
-use super::equations::{BOTH, ByNumbers, Convention, Departure, Matched, Misread, shows_e, take_as_laws};
+use super::equations::{BOTH, ByNumbers, Convention, Departure, Matched, Misread, line_shows_e, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
 use super::impacts::{set_aside_of_others, short_of_law_or_step};
@@ -224,10 +224,7 @@ fn examine_lines(
     let finds_exactly = working.finds_exactly();
     let denies_velocities = working.denies_velocities();
     let denies_what_is_found = working.denies_what_is_found();
-    let shows = |studied: &Studied| {
-        studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
-    };
-    let has_e = Some(working.lines.iter().any(shows));
+    let has_e = Some(working.lines.iter().any(|studied| line_shows_e(studied, prepared)));
     let letters = working.convention_by_laws().map(|convention| convention.letters.clone());
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),

@@ -11,12 +11,11 @@ use super::told_apart::{Found, told_apart, weight, without_one_for_both};
 use super::two_lines;
 use super::unusual::of_velocities;
 use crate::expr::Expr;
-use crate::mark::working::examine::{Studied, value};
+use crate::mark::working::examine::Studied;
 use crate::mark::working::letters::false_number;
 use crate::mark::working::lines::ReadLine;
 use crate::mark::working::numbers::{Linear, Spread, any_within, sizes};
 use crate::mark::working::prepared::Prepared;
-use crate::mark::working::theirs::numbers;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
 
 /// An equation with a bracket in the place of an unknown: with the unknown there, what the bracket says of it, and whether
@@ -338,27 +337,6 @@ fn role(matched: &Matched) -> String {
             format!("{law}: {}", reasons.join("; "))
         }
     }
-}
-
-/// Does e stand in a formula: by its letter, as a factor, or squared in `1 - e²`? In an energy a half is no e.
-pub(in crate::mark::working) fn shows_e(expr: &Expr, prepared: &Prepared) -> bool {
-    let Some(e) = sizes(&prepared.known, Quantity::Restitution) else { return false };
-    let is = |expr: &Expr, power: i32| {
-        let values = value(expr, prepared, &[]).and_then(|values| numbers(&values));
-        values.is_some_and(|values| {
-            values.iter().zip(&e).all(|(value, e)| (value - e.powi(power)).abs() < 1e-6 * value.abs())
-        })
-    };
-    let is_square = |inner: &Expr| matches!(inner, Expr::Power(..));
-    any_within(expr, &|inner| match inner {
-        Expr::Name(name) => name.text == "e",
-        Expr::Product(factors) => !any_within(inner, &is_square) && factors.iter().any(|factor| is(factor, 1)),
-        Expr::Sum(terms) => match terms.as_slice() {
-            [one, Expr::Negative(taken)] => *one == Expr::integer(1) && is(taken, 2),
-            _ => false,
-        },
-        _ => false,
-    })
 }
 
 /// Is it `v = 3` or `3 = v`?

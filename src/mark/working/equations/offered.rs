@@ -1,11 +1,11 @@
 //! An equation of a student that may be momentum or restitution, and what it may be.
 
 use super::apiece::Apiece;
-use super::convention::shows_e;
 use super::conventions::Convention;
 use super::critical::{Critical, has_nought_term};
 use super::departure::Departure;
 use super::pair::{Laws, Matched};
+use super::shown_e::shows_e;
 use super::substituted::is_impulse;
 use super::told_apart::Found;
 use crate::expr::Expr;

@@ -58,11 +58,19 @@ pub(super) fn told_apart(found: Vec<Found>) -> Vec<Found> {
 }
 
 /// Without one velocity for both spheres where another line is momentum with one for each: `7v = 9` is what comes of `15 = 4v + 3w`.
+/// With masses that are exchanged it comes of it as well, where restitution stands there for two velocities.
 pub(super) fn without_one_for_both(mut found: Vec<Found>) -> Vec<Found> {
-    let is_together = |one: &Found| one.alone.is_none() && one.matched.departures == [Departure::Coalesced];
+    let coalesced = [Departure::Coalesced];
+    let is_together = |one: &Found| one.alone.is_none() && one.matched.departures == coalesced;
     let together: Vec<usize> = found.iter().filter(|one| is_together(one)).map(|one| one.place).collect();
-    let is_momentum = |one: &Found| one.matched.equation == Quantity::MomentumEquation && one.matched.is_method();
-    if !together.is_empty() && found.iter().any(|one| is_momentum(one) && !together.contains(&one.place)) {
+    let is_apart = |one: &&Found| !together.contains(&one.place);
+    let is_of = |one: &Found, law: Quantity| one.matched.equation == law;
+    let is_restitution = |one: &Found| {
+        is_of(one, Quantity::RestitutionEquation) && !one.matched.departures.contains(&Departure::Coalesced)
+    };
+    let parts_them = found.iter().filter(is_apart).any(is_restitution);
+    let is_momentum = |one: &Found| is_of(one, Quantity::MomentumEquation) && (parts_them || one.matched.is_method());
+    if !together.is_empty() && found.iter().filter(is_apart).any(is_momentum) {
         found.retain(|one| one.alone.is_some() || !together.contains(&one.place));
     }
     found

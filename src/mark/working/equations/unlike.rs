@@ -1,9 +1,9 @@
 //! Lines that are meant for momentum and are further from it than any mistake that has a name: how much of it is right.
 
-use super::convention::shows_e;
 use super::conventions::Convention;
 use super::offered::differences;
 use super::pair::Laws;
+use super::shown_e::shows_e;
 use crate::answer::Kind;
 use crate::expr::Expr;
 use crate::mark::working::examine::{Studied, Working};
