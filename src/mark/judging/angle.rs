@@ -379,7 +379,9 @@ fn explain(model: &Model, said: &Said, stated: &Stated, right: &Enclosed, findin
     if said.unit.is_none() && is(right, true) {
         return Finding::partial(Note::RadiansUnstated);
     }
-    if is_from(90) {
+    // How far a path is turned is measured from no line.
+    let is_turn = model.quantity.is_some_and(|asked| matches!(asked.of_its_impact(), Quantity::Deflection(_)));
+    if is_from(90) && !is_turn {
         return Finding::wrong(Note::Complement);
     }
     if is_from(180) {

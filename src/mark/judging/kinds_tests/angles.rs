@@ -61,6 +61,8 @@ fn an_angle_with_a_wall_may_be_told_from_the_perpendicular_and_one_with_i_from_j
         ("impulse.angle_to_i_deg", "16.1", Some(I), "correct"),
         ("impulse.angle_to_i_deg", "73.9", Some(ReferenceLine::J), "correct"),
         ("impulse.angle_to_i_deg", "73.9", Some(I), "wrong complement"),
+        ("A.deflection_deg", "73.9", None, "wrong"),
+        ("A.deflection_deg", "163.9", None, "wrong supplement"),
     ];
     for (quantity, typed, reference, expected) in rows {
         let model = asked("atan(sqrt(3)/6)/deg", None, quantity);
