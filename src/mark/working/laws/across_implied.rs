@@ -2,6 +2,7 @@
 //! components, and so does a right angle between the paths.
 
 use super::shapes::{components_in, is_tangent};
+use crate::answer::Kind;
 use crate::bank::EarnedFor;
 use crate::expr::Expr;
 use crate::mark::working::evidence::Evidence;
@@ -11,7 +12,7 @@ use crate::mark::working::numbers::{comes_to, is_composite, sizes};
 use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
 
 impl Working<'_> {
-    /// The line of a tangent of the direction after, `tan β = 2 tan α/(1 - e)`, or of a right angle, `x = -u sin θ tan θ`, where
+    /// The line of a tangent of the direction after, `tan β = 2 tan α/(1 - e)`, or of the deflection, or of a right angle, `x = -u sin θ tan θ`, where
     /// the component along the line of centres has been found, and only this sphere has one across.
     pub(super) fn across_implied(&self, across: &[(Sphere, Vec<f64>)]) -> Option<usize> {
         let [(sphere, _)] = across else { return None };
@@ -29,7 +30,11 @@ impl Working<'_> {
         let (before, after) = (before?, after?);
         // Paths at right angles have gradients of which the product is there.
         let product: Vec<f64> = before.iter().zip(&after).map(|(before, after)| before * after).collect();
+        // Where a result is to be shown every step on the way counts.
+        let is_open = self.part.blanks.iter().all(|blank| blank.model.kind != Kind::Shown);
+        let turned = sizes(&self.prepared.known, Quantity::TanDeflection(sphere)).filter(|_| is_open);
         let is = |values: &[Value], right: &[f64]| values.iter().zip(right).all(|(own, right)| comes_to(*own, *right));
+        let is_turned = |values: &[Value]| turned.as_ref().is_some_and(|turned| is(values, turned));
         if self.printed_values().any(|result| self.values_of(result).is_some_and(|own| is(&own, &after))) {
             return None;
         }
@@ -37,7 +42,7 @@ impl Working<'_> {
             let mut members = self.members(studied).filter(|(member, _)| !self.is_printed_value(&member.expr));
             studied.matched.is_empty()
                 && self.speaks_of_angle(studied)
-                && members.any(|(_, values)| is(values, &after) || is(values, &product))
+                && members.any(|(_, values)| is(values, &after) || is(values, &product) || is_turned(values))
         };
         self.lines.iter().position(is_it)
     }
