@@ -10,14 +10,23 @@ use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Sphere}
 
 /// What is given and the student's own values, to go on from, at every point.
 ///
-/// A value that would make the rest trivial is not followed: nought where nothing is nought, a coefficient of restitution
-/// that is none.
+/// A value that would make the rest trivial is not followed: nought where nothing is nought, but for one component of a vector,
+/// and a coefficient of restitution that is none.
 fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
     let mut at_points = prepared.given.clone();
+    let is_beside_another = |quantity: &Quantity| {
+        let other = match quantity {
+            Quantity::Velocity(sphere, moment, Axis::X) => Quantity::Velocity(*sphere, *moment, Axis::Y),
+            Quantity::Velocity(sphere, moment, Axis::Y) => Quantity::Velocity(*sphere, *moment, Axis::X),
+            _ => return false,
+        };
+        theirs.values.get(&other).is_some_and(|(values, _)| values.iter().all(|value| *value != 0.0))
+    };
     for (quantity, (values, _)) in &theirs.values {
         let right = sizes(&prepared.known, *quantity);
         let trivial = match quantity {
             Quantity::Restitution => values.iter().any(|value| !(0.0..=1.0).contains(value)),
+            quantity if is_beside_another(quantity) => false,
             _ => right
                 .is_some_and(|right| right.iter().zip(values).any(|(right, own)| *own == 0.0 && right.abs() > 1e-9)),
         };
