@@ -16,7 +16,7 @@ use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Reading, Said, Statement};
 use crate::mark::script::PartScript;
-use crate::mark::working::{Examined, typed_lines};
+use crate::mark::working::{Examined, goes_on, typed_lines};
 use crate::mechanics::{Moment, Quantity};
 
 /// The last lines of the working of a part, as many as it has blanks.
@@ -36,7 +36,7 @@ impl<'s> Left<'s> {
         let mut lines: Vec<(usize, &str)> =
             typed_lines(&script.working).enumerate().map(|(place, line)| (place + 1, line)).collect();
         lines.reverse();
-        let goes_on = |(_, line): &&(usize, &str)| line.starts_with(['=', '≈']) && !line.starts_with("=>");
+        let goes_on = |(_, line): &&(usize, &str)| goes_on(line);
         let begun = lines.first().filter(goes_on).and_then(|_| lines.iter().find(|line| !goes_on(line)));
         let begun = begun.and_then(|(_, line)| line.split_once('=')).map(|(name, _)| name);
         lines.truncate(part.blanks.len());

@@ -22,6 +22,6 @@ mod theirs;
 pub(super) use equations::{Misread, numbers_of_masses};
 pub(super) use examine::{Examined, has_these_sizes};
 pub(super) use impacts::examine;
-pub(super) use lines::{MOST_LINES, typed as typed_lines};
+pub(super) use lines::{MOST_LINES, goes_on, typed as typed_lines};
 pub(super) use prepared::Prepared;
 pub(super) use theirs::Theirs;

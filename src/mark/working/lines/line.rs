@@ -28,10 +28,9 @@ pub(in crate::mark::working) struct Line {
 }
 
 impl Line {
-    /// Does it begin with an equals sign, and so go on from the line before? An arrow `=>` draws a conclusion.
+    /// Does it go on from the line before?
     pub(in crate::mark::working) fn goes_on(&self) -> bool {
-        let typed = self.typed.trim_start();
-        typed.starts_with('=') && !typed.starts_with("=>")
+        goes_on(&self.typed)
     }
 
     /// Its readings, to be changed.
@@ -140,6 +139,12 @@ pub(in crate::mark::working) fn read(
         Line { number: place + 1, typed: typed.to_owned(), readings: readings.into_iter().map(Rc::new).collect() }
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
+}
+
+/// Does a line begin with an equals sign, and so go on from the one before? An arrow `=>` draws a conclusion.
+pub(in crate::mark) fn goes_on(typed: &str) -> bool {
+    let typed = typed.trim_start();
+    typed.starts_with(['=', '≈']) && !typed.starts_with("=>")
 }
 
 /// The lines of a working that say something, each step of a line by itself.
