@@ -24,6 +24,7 @@ pub(super) fn judged(
     profile: &Profile,
     memory: &mut Memory,
     examined: &Examined,
+    lines: &Lines,
 ) -> (Vec<MarkedAnswer>, Vec<Rc<Judged>>) {
     let unnamed = script.answers.iter().rev().find(|(name, _)| name.is_none()).map(|(_, answer)| answer.as_str());
     let all_at_once = |answer: &str| {
@@ -32,7 +33,6 @@ pub(super) fn judged(
         judge_together(&models, &read_answer(answer, &together_vocabulary(&models)))
     };
     let left = Left::of(part, script, examined);
-    let lines = Lines::default();
     let unnamed = unnamed.or_else(|| left.for_all(&all_at_once).filter(|_| script.answers.is_empty()));
     let unnamed = unnamed.or_else(|| all_in_one(part, script).filter(|answer| are_all_credited(&all_at_once(answer))));
     let mut together = match (unnamed, part.blanks.as_slice()) {
@@ -72,7 +72,7 @@ pub(super) fn judged(
         };
         let left = match is_typed {
             true => None,
-            false => left.for_one(place, &lines, &mut judged).or_else(stated),
+            false => left.for_one(place, lines, &mut judged).or_else(stated),
         };
         let typed = alone.or(unnamed).or(left.as_ref().map(|(line, _)| *line)).map(str::to_owned);
         let found = match (alone, left, together) {
@@ -81,7 +81,7 @@ pub(super) fn judged(
                 // What looks cut off may be a value of the working, rounded: then that is what is right or wrong.
                 let is_cut_off = found.judgement.note == Some(Note::Truncated.tag());
                 let readings = found.readings.as_deref().filter(|_| is_cut_off);
-                let longer = readings.and_then(|readings| rounded_from(part, place, readings, script, &lines));
+                let longer = readings.and_then(|readings| rounded_from(part, place, readings, script, lines));
                 longer.map_or(found, |longer| judged(&longer))
             }
             (None, Some((_, found)), _) => found,

@@ -1,28 +1,38 @@
 //! Right answers beside working that comes to something else: the marks stand, and a person is told. What is plainly denied is
 //! not for a person: see the last word.
 
-use super::memory::Lines;
+use std::rc::Rc;
+
+use super::memory::{Judged, Lines};
 use crate::answer::Kind;
 use crate::bank::Find;
 use crate::expr::{Expr, Relation};
 use crate::mark::award::{Ground, MarkedAnswer};
-use crate::mark::judging::{Note, Verdict, judge};
+use crate::mark::judging::{Note, Verdict, is_nearly_rounding, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading, Said, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::{Examined, Theirs, typed_lines};
 use crate::mechanics::{Moment, Quantity};
 
+/// What was handed in for a part, read and judged.
+pub(super) struct HandedIn<'a> {
+    pub(super) script: &'a PartScript,
+    pub(super) lines: &'a Lines,
+    pub(super) judged: &'a [Rc<Judged>],
+}
+
 /// Of answers that are right though what the working comes to is something else, says so: a person can tell whether they have
 /// come from there.
 pub(super) fn point_out(
     question: &KeyedQuestion,
     part: &KeyedPart,
-    script: &PartScript,
+    handed_in: &HandedIn,
     before: &Theirs,
     examined: &Examined,
     answers: &mut [MarkedAnswer],
 ) {
+    let HandedIn { script, lines, judged } = handed_in;
     let is_right = |answer: &MarkedAnswer| {
         let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
         is_typed && answer.judgement.verdict == Verdict::Correct && answer.judgement.note.is_none()
@@ -34,10 +44,16 @@ pub(super) fn point_out(
     let wrong = wrong_velocities(question, before, examined);
     let elsewhere =
         |place: &usize| !wrong.is_empty() && leads_elsewhere(question, &part.blanks[*place], &wrong, examined);
-    let beside = beside_end(part, examined, &right);
-    let lines = Lines::default();
+    // Another answer is what the working ends with.
+    let is_taken = |said: &Said| {
+        let others = judged.iter().enumerate().filter(|(place, _)| !right.contains(place));
+        others
+            .filter_map(|(_, judged)| judged.said_last())
+            .any(|own| own.form == said.form || is_nearly_rounding(said, own))
+    };
+    let beside = beside_end(part, examined, &right, &is_taken);
     let is_pointed_out = |place: &usize| {
-        Some(*place) == beside || elsewhere(place) || is_another_range(&part.blanks[*place], script, &lines)
+        Some(*place) == beside || elsewhere(place) || is_another_range(&part.blanks[*place], script, lines)
     };
     for place in right.iter().copied().filter(is_pointed_out) {
         let judgement = &mut answers[place].judgement;
@@ -49,8 +65,13 @@ pub(super) fn point_out(
 const ENDS_ELSEWHERE: &str = "Right, though your working comes to something else: a person should look at it.";
 
 /// Of these answers the one that no line has, where the lines end with another number for it that is called so or nothing.
-fn beside_end(part: &KeyedPart, examined: &Examined, right: &[usize]) -> Option<usize> {
-    let end = examined.end.as_ref()?;
+fn beside_end(
+    part: &KeyedPart,
+    examined: &Examined,
+    right: &[usize],
+    is_taken: &dyn Fn(&Said) -> bool,
+) -> Option<usize> {
+    let end = examined.end.as_ref().filter(|end| !end.statement.said.last().is_some_and(is_taken))?;
     let value = Statement { label: None, ..end.statement.clone() };
     let reading = Reading { statements: vec![value], printed: String::new(), decided: Vec::new() };
     // What is the other way round, or measured from another line, is a step.
@@ -97,6 +118,10 @@ fn leads_elsewhere(question: &KeyedQuestion, blank: &KeyedBlank, wrong: &[Quanti
     if wrong.contains(&asked) || wrong.contains(&along) {
         return true;
     }
+    // What is found rightly by itself does not come from there.
+    if [asked, along].iter().any(|own| examined.theirs.values.contains_key(own)) {
+        return false;
+    }
     let [own, right] = [examined.followed(question, asked), prepared.known_sizes(asked)];
     own.zip(right).is_some_and(|(own, right)| are_apart(&own, &right))
 }
@@ -115,7 +140,9 @@ fn is_another_range(blank: &KeyedBlank, script: &PartScript, lines: &Lines) -> b
         };
         let reading = readings.as_ref().as_ref().ok()?.first()?;
         let is_range = reading.statements.iter().flat_map(|statement| &statement.said).any(is_comparison);
-        is_range.then(|| judge(&blank.model, &readings).verdict)
+        let judgement = is_range.then(|| judge(&blank.model, &readings))?;
+        // `v < 0` is said of a letter of the student's own.
+        (judgement.note != Some(Note::UnknownLetter.tag())).then_some(judgement.verdict)
     };
     let mut verdicts = typed_lines(&script.working).rev().map(verdict);
     verdicts.next().flatten() == Some(Verdict::Wrong) && verdicts.all(|one| one.is_none_or(|one| one == Verdict::Wrong))

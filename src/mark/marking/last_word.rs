@@ -14,8 +14,13 @@ use crate::mark::working::Examined;
 
 /// Of answers that are right though the working has found nothing but another value for them, or its equations deny them, says
 /// so: they are partly right, and imply nothing.
-pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Examined, answers: &mut [MarkedAnswer]) {
-    let lines = Lines::default();
+pub(super) fn contradict(
+    part: &KeyedPart,
+    script: &PartScript,
+    examined: &Examined,
+    lines: &Lines,
+    answers: &mut [MarkedAnswer],
+) {
     for (place, (blank, answer)) in part.blanks.iter().zip(answers).enumerate() {
         let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
         let is_denied = || match blank.find {
@@ -30,7 +35,7 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Exami
             stated
                 .is_some_and(|stated| judge(&blank.model, &Ok(vec![stated.reading.clone()])).verdict == Verdict::Wrong)
         };
-        let is_contradicted = || is_denied() || comes_to_another(blank, script, &lines) || is_stated_otherwise();
+        let is_contradicted = || is_denied() || comes_to_another(blank, script, lines) || is_stated_otherwise();
         if answer.judgement.verdict == Verdict::Correct && is_typed && is_contradicted() {
             answer.judgement.verdict = Verdict::Partial;
             answer.judgement.note = Some(Ground::Contradicted.tag());

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::causes::Found;
 use crate::mark::judging::Judgement;
 use crate::mark::key::KeyedBlank;
-use crate::mark::reading::{Reading, Unreadable, Vocabulary, read_answer};
+use crate::mark::reading::{Reading, Said, Unreadable, Vocabulary, read_answer};
 
 /// How many answers are remembered at most; when there are more everything is forgotten.
 const MOST: usize = 1 << 13;
@@ -58,6 +58,11 @@ pub(super) struct Judged {
 impl Judged {
     pub(super) fn new(judgement: Judgement, readings: Option<Vec<Reading>>) -> Rc<Judged> {
         Rc::new(Judged { judgement, readings, causes: OnceCell::new() })
+    }
+
+    /// What the answer comes to in the end, as it was read first.
+    pub(super) fn said_last(&self) -> Option<&Said> {
+        self.readings.as_ref()?.first()?.statements.last()?.said.last()
     }
 }
 

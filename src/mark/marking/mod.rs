@@ -21,6 +21,7 @@ mod rounded;
 mod withhold;
 
 pub use follow::from_own_values;
+use memory::Lines;
 pub(super) use memory::Memory;
 pub use overrule::{Word, overrule};
 
@@ -33,7 +34,8 @@ use super::profile::Profile;
 use super::script::{PartScript, Script};
 use super::working::{Misread, Theirs, examine};
 use crate::bank::{Code, Find};
-use crate::mechanics::Quantity;
+use crate::expr::Expr;
+use crate::mechanics::{Axis, Quantity};
 
 /// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
 ///
@@ -122,9 +124,11 @@ fn as_printed(
         let mut handed_in = together(script, &part.label);
         take_derivation(part, &mut handed_in);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
-        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
-        last_word::contradict(part, &handed_in, &examined, &mut answers);
-        beside::point_out(question, part, &handed_in, &theirs, &examined, &mut answers);
+        let lines = Lines::default();
+        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined, &lines);
+        last_word::contradict(part, &handed_in, &examined, &lines, &mut answers);
+        let read = beside::HandedIn { script: &handed_in, lines: &lines, judged: &judged };
+        beside::point_out(question, part, &read, &theirs, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
         last_word::take_figures_from_working(part, &examined, &mut answers);
         examined.see_in_answers(question, part, &theirs, readings);
@@ -198,7 +202,22 @@ fn contradicted(question: &KeyedQuestion, part: &KeyedPart, before: &Theirs, now
     let wrong: Vec<Quantity> = now.wrong(question).map(|(quantity, _)| quantity).collect();
     let is_stated = |quantity| wrong.contains(&quantity) && !before.values.contains_key(&quantity);
     let is_another = |quantity: &Quantity| is_stated(*quantity) || is_stated(question.prepared().along(*quantity));
-    let states_another = |mark: &KeyedMark| mark.earned_for.quantities().iter().any(is_another);
+    // Of a vector either component may be another.
+    let is_beside = |own: &Quantity, other: &Quantity| match (own.of_its_impact(), other.of_its_impact()) {
+        (Quantity::Velocity(sphere, moment, Axis::X), beside) => {
+            own.impact() == other.impact() && beside == Quantity::Velocity(sphere, moment, Axis::Y)
+        }
+        _ => false,
+    };
+    let is_vector = |mark: &KeyedMark| match &mark.equation {
+        Some(Expr::Relation(_, _, right)) => matches!(**right, Expr::Vector(..)),
+        equation => matches!(equation, Some(Expr::Vector(..))),
+    };
+    let has_another_beside = |own: &Quantity| wrong.iter().any(|other| is_beside(own, other) && is_stated(*other));
+    let states_another = |mark: &KeyedMark| {
+        let quantities = mark.earned_for.quantities();
+        quantities.iter().any(is_another) || is_vector(mark) && quantities.iter().any(has_another_beside)
+    };
     part.scheme.iter().map(states_another).collect()
 }
 
