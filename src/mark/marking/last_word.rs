@@ -6,11 +6,11 @@ use super::memory::Lines;
 use crate::bank::Find;
 use crate::mark::award::{Award, Evidence, Ground, MarkedAnswer, Place};
 use crate::mark::enclosure::about;
-use crate::mark::judging::{Note, Verdict, judge};
+use crate::mark::judging::{Judgement, Note, Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
-use crate::mark::working::Examined;
+use crate::mark::working::{Examined, typed_lines};
 
 /// Of answers that are right though the working has found nothing but another value for them, or its equations deny them, says
 /// so: they are partly right, and imply nothing.
@@ -46,8 +46,14 @@ pub(super) fn contradict(
 
 /// An answer with too few figures says no less than the working does, where a line has the value in all of them: what is rounded
 /// after that is let pass.
-pub(super) fn take_figures_from_working(part: &KeyedPart, examined: &Examined, answers: &mut [MarkedAnswer]) {
-    for (blank, answer) in part.blanks.iter().zip(answers) {
+pub(super) fn take_figures_from_working(
+    part: &KeyedPart,
+    script: &PartScript,
+    examined: &Examined,
+    lines: &Lines,
+    answers: &mut [MarkedAnswer],
+) {
+    for (place, (blank, answer)) in part.blanks.iter().zip(answers).enumerate() {
         let is_shown = |(mark, award): (&KeyedMark, &Option<Award>)| {
             let by_line = |award: &Award| {
                 let is_line = matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. }));
@@ -55,8 +61,18 @@ pub(super) fn take_figures_from_working(part: &KeyedPart, examined: &Examined, a
             };
             mark.code.is_accuracy() && is_own(mark, blank) && award.as_ref().is_some_and(by_line)
         };
+        let is_stated = |line: &str| {
+            let readings = lines.read(line, &blank.model.vocabulary);
+            let reading = readings.as_ref().as_ref().ok().and_then(|readings| readings.first());
+            let mut statements = reading.into_iter().flat_map(|reading| &reading.statements);
+            statements.any(|statement| {
+                statement.label.is_some() && part.calls(place, statement) && is_right(blank, statement)
+            })
+        };
         let is_short = answer.judgement.note == Some(Note::UnderAccurate.tag());
-        if is_short && part.scheme.iter().zip(&examined.awards).any(is_shown) {
+        let is_found =
+            || part.scheme.iter().zip(&examined.awards).any(is_shown) || typed_lines(&script.working).any(is_stated);
+        if is_short && is_found() {
             answer.judgement.verdict = Verdict::Correct;
             answer.judgement.note = None;
             answer.judgement.feedback = "Right.".to_owned();
@@ -97,6 +113,16 @@ fn each(statement: &Statement) -> impl Iterator<Item = Statement> + '_ {
 
 /// The verdict on a value by itself.
 fn verdict(blank: &KeyedBlank, statement: &Statement) -> Verdict {
+    alone(blank, statement).verdict
+}
+
+/// Is a value by itself right, and nothing to be said of its figures?
+fn is_right(blank: &KeyedBlank, statement: &Statement) -> bool {
+    let judgement = alone(blank, statement);
+    judgement.verdict == Verdict::Correct && judgement.note.is_none()
+}
+
+fn alone(blank: &KeyedBlank, statement: &Statement) -> Judgement {
     let reading = Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
-    judge(&blank.model, &Ok(vec![reading])).verdict
+    judge(&blank.model, &Ok(vec![reading]))
 }

@@ -130,7 +130,7 @@ fn as_printed(
         let read = beside::HandedIn { script: &handed_in, lines: &lines, judged: &judged };
         beside::point_out(question, part, &read, &theirs, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
-        last_word::take_figures_from_working(part, &examined, &mut answers);
+        last_word::take_figures_from_working(part, &handed_in, &examined, &lines, &mut answers);
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
