@@ -165,7 +165,10 @@ fn unchanged(
                 |quantity| matches!(quantity, Quantity::Velocity(own, Moment::After, _) if own == *sphere),
             );
             let values = value(expr, working.prepared, &working.prepared.names);
-            is_own && values.is_some_and(|values| working.has_component(&values, *sphere, right))
+            let has_it = |values: Vec<Value>| {
+                working.has_component(&values, *sphere, right) || working.keeps_part_along_wall(&values, right)
+            };
+            is_own && values.is_some_and(has_it)
         })
     };
     let across = working.across();

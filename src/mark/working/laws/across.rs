@@ -79,7 +79,9 @@ impl Working<'_> {
                 let unknown = unknown || self.is_open_multiple(member);
                 let fits = named && !unknown && !before && !member.is_given && is_right(values);
                 let fits = fits && !self.is_rebound(studied, member.statement);
-                (fits && !self.is_taken_along(studied, member)) || self.has_component(values, sphere, right)
+                (fits && !self.is_taken_along(studied, member))
+                    || self.has_component(values, sphere, right)
+                    || self.has_part_along_wall(&member.expr, values, right)
             },
         );
         if whole {
@@ -249,7 +251,11 @@ impl Working<'_> {
         let is_one = |(point, value): (usize, &Value)| match (value, &signed) {
             (Value::Vector(_, y), Some((Axis::Y, own))) => y.may_be(own[point]),
             (Value::Vector(x, _), Some((_, own))) => x.may_be(own[point]),
-            (Value::Vector(x, y), None) => [x, y].into_iter().any(|one| one.absolute().may_be(right[point].abs())),
+            // Along a slanting line neither i nor j has it.
+            (Value::Vector(x, y), None) if !in_vectors => {
+                [x, y].into_iter().any(|one| one.absolute().may_be(right[point].abs()))
+            }
+            (Value::Vector(..), None) => false,
             (Value::Number(_), _) => false,
         };
         !is_given && values.iter().enumerate().all(is_one)

@@ -1,5 +1,6 @@
 //! The component along a wall, which the wall cannot change, and *e* times a component of the student's own.
 
+use super::impulse::is_worked;
 use crate::expr::Expr;
 use crate::mark::judging::may_be_named;
 use crate::mark::working::evidence::Evidence;
@@ -19,6 +20,28 @@ impl Working<'_> {
 
     fn before_wall(&self, axis: Axis) -> Option<Vec<f64>> {
         sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::Before, axis))
+    }
+
+    /// `8(3i + 4j)/5 - (4i - 3j)/5`: is it a vector that was put together, with the component that a slanting wall leaves as it is?
+    pub(super) fn has_part_along_wall(&self, expr: &Expr, values: &[Value], along: &[f64]) -> bool {
+        is_worked(expr) && self.keeps_part_along_wall(values, along)
+    }
+
+    /// Has a vector the component along a slanting wall?
+    pub(in crate::mark::working) fn keeps_part_along_wall(&self, values: &[Value], along: &[f64]) -> bool {
+        let line = |axis| sizes(&self.prepared.known, Quantity::Line(axis));
+        let Some((x, y)) = line(Axis::X).zip(line(Axis::Y)) else { return false };
+        let has_it = |(point, value): (usize, &Value)| match value {
+            Value::Vector(along_i, along_j) => {
+                let part = along_j.times(x[point]) - along_i.times(y[point]);
+                part.absolute().may_be(along[point].abs())
+            }
+            Value::Number(_) => false,
+        };
+        let is_slanting = |(x, y): (&f64, &f64)| x.abs().min(y.abs()) > 1e-9;
+        self.prepared.setting == Setting::Wall
+            && x.iter().zip(&y).all(is_slanting)
+            && values.iter().enumerate().all(has_it)
     }
 
     /// The line on which *e* is put to the component along a wall, or another value after the impact is given for it, where
