@@ -20,6 +20,9 @@ impl Working<'_> {
         if code.is_accuracy() {
             return None;
         }
+        // Where nothing else is asked, a difference without a name is meant for the impulse.
+        let is_impulse = |find: Quantity| find.of_its_impact() == Quantity::ImpulseMagnitude;
+        let is_only_impulse = self.part.blanks.iter().flat_map(|blank| blank.find.quantities()).all(is_impulse);
         let has_form = |member: &Member| {
             let expr = &member.expr;
             match shape {
@@ -35,7 +38,10 @@ impl Working<'_> {
                         || self.is_difference_of_worked_out(expr)
                         || self.is_loss_of_own_at_wall(expr)
                 }
-                Shape::ChangeOfMomentum => self.is_change_of_momentum(expr, self.is_called(member)),
+                Shape::ChangeOfMomentum => {
+                    let is_called = self.is_called(member) || is_only_impulse && member.label.is_none();
+                    self.is_change_of_momentum(expr, is_called)
+                }
                 Shape::Any => false,
             }
         };
