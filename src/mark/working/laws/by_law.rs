@@ -28,12 +28,16 @@ impl Working<'_> {
             Seen::AlongLine | Seen::Value(_, Shape::ChangeOfMomentum) if self.is_in_vectors() => {
                 self.along_impulse(law, code)
             }
-            Seen::Components => self.resolved(code),
+            Seen::Components => {
+                let along_own = || if code.is_accuracy() { None } else { self.resolved_along_own_line() };
+                self.resolved(code).or_else(along_own)
+            }
             Seen::Equation if law.gives(Quantity::RestitutionEquation) => {
                 if let Some(found) = self.energy_kept(law) {
                     return Some(found);
                 }
-                let quotient = || self.restitution_from_components().or_else(|| self.rebound(code));
+                let along_own = || if code.is_accuracy() { None } else { self.restitution_along_own_line(law) };
+                let quotient = || self.restitution_from_components().or_else(|| self.rebound(code)).or_else(along_own);
                 self.by_terms(law, code).filter(|found| found.given).or_else(quotient)
             }
             Seen::Equation => self.by_terms(law, code),

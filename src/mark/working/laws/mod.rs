@@ -14,6 +14,7 @@ mod impulse;
 mod losses;
 mod own;
 mod own_condition;
+mod own_line;
 mod own_speed;
 mod printed;
 mod rebound;

@@ -47,7 +47,7 @@ impl Working<'_> {
         }
     }
 
-    fn vectors_in<'s>(&self, studied: &'s Studied) -> impl Iterator<Item = &'s Vec<Value>> {
+    pub(super) fn vectors_in<'s>(&self, studied: &'s Studied) -> impl Iterator<Item = &'s Vec<Value>> {
         let vectors = |values: &&Vec<Value>| matches!(values.first(), Some(Value::Vector(..)));
         self.members(studied).map(|(_, values)| values).filter(vectors)
     }
