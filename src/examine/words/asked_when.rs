@@ -57,17 +57,20 @@ fn misplaced(
     };
     let is_plain = |sentence: &Sentence| !is_supposed(sentence) && !says(sentence, &["given"]);
     let all: Vec<Sentence> = texts.iter().flat_map(sentences).filter(is_plain).collect();
-    let named: Option<Vec<(u8, Moment)>> = all.iter().flat_map(|words| moments(question, sphere, words)).collect();
+    let named: Option<Vec<(Vec<u8>, Moment)>> = all.iter().flat_map(|words| moments(question, sphere, words)).collect();
     let found_at = (quantity.impact(), moment);
     // `After it has struck the wall and met *A* again` names more than one.
     let is_one = !all.iter().any(|words| says(words, &["and", "again", "then", "finally", "final", "eventually"]));
     let is_later = |impact: u8| is_one && quantity.impact() > impact && moment == Moment::After;
-    let is_wrong = |(impact, asked): &(u8, Moment)| match asked {
-        Moment::Before => found_at >= (*impact, Moment::After),
-        Moment::After => found_at <= (*impact, Moment::Before) || is_later(*impact),
+    let is_wrong = |(impacts, asked): &(Vec<u8>, Moment)| {
+        impacts.iter().all(|impact| match asked {
+            Moment::Before => found_at >= (*impact, Moment::After),
+            Moment::After => found_at <= (*impact, Moment::Before) || is_later(*impact),
+        })
     };
     let named = named.filter(|named| named.iter().all(is_wrong))?;
-    let (impact, wanted) = *named.first()?;
+    let (impacts_named, wanted) = named.first()?;
+    let (impact, wanted) = (*impacts_named.last()?, *wanted);
     let (asked, found, found_where) = match wanted {
         Moment::Before => ("before", "after it", "after the impact"),
         Moment::After if quantity.impact() > impact => ("after", "after a later one", "after the later impact"),
@@ -96,8 +99,8 @@ fn at(quantity: Quantity, impact: u8, moment: Moment) -> Option<Quantity> {
     there.in_impact(impact)
 }
 
-/// The impacts before or after which a sentence asks, each none if it is not plain which.
-fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Option<(u8, Moment)>> {
+/// The impacts before or after which a sentence asks, each none if it is not plain which; several where it may be any of them.
+fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Option<(Vec<u8>, Moment)>> {
     let at = |(place, token): (usize, &Token)| {
         let moment = match token {
             Token::Word(word) if word == "before" => Moment::Before,
@@ -105,16 +108,25 @@ fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Optio
             _ => return None,
         };
         let rest = sentence[place + 1..].split(|token| *token == Token::Comma).next().unwrap_or_default();
-        Some(impact(question, sphere, rest).map(|impact| (impact, moment)))
+        let named = named(question, sphere, rest);
+        Some((!named.is_empty()).then_some((named, moment)))
     };
     sentence.iter().enumerate().filter_map(at).collect()
 }
 
 /// The impact of a sphere that words name first: with the only wall, with the second, with the sphere that is named.
 pub(super) fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Option<u8> {
+    match named(question, sphere, words).as_slice() {
+        [one] => Some(*one),
+        _ => None,
+    }
+}
+
+/// The impacts of a sphere that words may name first: all that it has with the sphere or the wall, where no number tells which.
+fn named(question: &Question, sphere: Sphere, words: &[Token]) -> Vec<u8> {
     let scene = &question.scene;
     if scene.then.is_empty() {
-        return Some(0);
+        return vec![0];
     }
     let impacts = impacts(scene);
     for (place, token) in words.iter().enumerate() {
@@ -132,16 +144,16 @@ pub(super) fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Op
         };
         if let Some(time) = nth_time(words) {
             // A time too many is after all that there are.
-            return Some(its.get(time).copied().unwrap_or(u8::try_from(impacts.len()).ok()?));
+            let after_all = u8::try_from(impacts.len()).unwrap_or(u8::MAX);
+            return vec![its.get(time).copied().unwrap_or(after_all)];
         }
         let nth = place.checked_sub(1).and_then(|before| ordinal(&words[before]));
         return match (its.as_slice(), nth) {
-            ([one], _) => Some(*one),
-            (several, Some(nth)) => several.get(nth).copied(),
-            _ => None,
+            ([_, _, ..], Some(nth)) => its.get(nth).copied().into_iter().collect(),
+            _ => its,
         };
     }
-    None
+    Vec::new()
 }
 
 /// `For the second time` is 1.
@@ -160,10 +172,16 @@ mod tests {
         let after = "immediately after *A* has struck it";
         let twice = "successive/sphere-wall-sphere";
         let (second, first) = ("collides with *B* for the second time", "immediately after they first collide");
-        let table: [(&str, Edits, &str); 16] = [
+        let wall_between = ("find = \"third.A.after.speed\"", "find = \"second.B.after.speed\"");
+        let again = "of *A* immediately after it collides with *B* for the second time";
+        let table: [(&str, Edits, &str); 19] = [
             (twice, &[], ""),
             (twice, &[(second, "collides with *B* for the first time")], "is found after a later one"),
             (twice, &[(second, "collides with *B* for the third time")], "is found before it"),
+            // Of *A* and *B* it is not plain which, and the wall comes between.
+            (twice, &[wall_between, (again, "of *B* immediately after it strikes *A*")], "is found before it"),
+            (twice, &[wall_between, (again, "of *B* immediately after it strikes the wall")], ""),
+            (twice, &[wall_between, (again, "of *B* immediately before it strikes *A*")], ""),
             (twice, &[("after it collides with *B* for", "before it collides with *B* for")], "is found after it"),
             (
                 twice,

@@ -44,6 +44,21 @@ pub fn wall_named(scene: &SceneText, words: &[Token]) -> Option<u8> {
     }
 }
 
+/// The impact with the wall from which an angle is measured for which these words come next: `with the second wall`.
+pub fn wall_measured_from(scene: &SceneText, after: &[Token]) -> Option<u8> {
+    let after = &after[..after.iter().position(|token| matches!(token, Token::Number(..))).unwrap_or(after.len()).min(10)];
+    let leads = (0..after.len()).filter(|place| is_one_of(&after[*place], &["with", "to", "and", "between"]));
+    leads.into_iter().find_map(|place| wall_named(scene, &after[place + 1..]))
+}
+
+/// The vector along the wall of an impact, as it is written in the scene.
+pub fn wall_of(scene: &SceneText, impact: u8) -> Option<&[String; 2]> {
+    match impact.checked_sub(1) {
+        None => scene.wall.as_ref(),
+        Some(later) => scene.then.get(usize::from(later))?.wall.as_ref(),
+    }
+}
+
 /// The place that a word gives in a row: `first` is 0.
 pub fn ordinal(token: &Token) -> Option<usize> {
     ["first", "second", "third", "fourth"].iter().position(|nth| is_one_of(token, &[nth]))

@@ -2,7 +2,7 @@
 
 use super::asked_when::impact;
 use super::given::{names_in, names_of_given};
-use super::impacts::impacts;
+use super::impacts::{impacts, wall_measured_from, wall_of};
 use super::said::{only_subject, told};
 use super::sentence::{
     Noun, Sentence, Token, is_one_of, is_supposed, measured_from, noun_of, says, sentences, subject,
@@ -11,13 +11,18 @@ use crate::answer::Kind;
 use crate::bank::{Find, Question, Style};
 use crate::examine::Finding;
 use crate::expr::{Expr, Text};
-use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere, ordinal};
 
 /// An angle that has a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Called {
-    /// Of a path with a line; after how many impacts, and on which side of the next, if that is said.
-    WithLine(Option<(u8, Moment)>),
+    /// Of a path with a line.
+    WithLine {
+        /// After how many impacts, and on which side of the next, if that is said.
+        time: Option<(u8, Moment)>,
+        /// The impact whose wall it is, if that is said.
+        wall: Option<u8>,
+    },
     /// That through which a path is turned.
     Turned,
 }
@@ -50,10 +55,15 @@ pub fn of_other_angles(question: &Question) -> Vec<Finding> {
                 }
             };
             let Some(other) = other else { continue };
-            let (said, has) = (shown(question, call.angle), shown(question, other));
-            let message = match said == has {
-                true => format!("the words call two angles `{letter}`, which are measured from different lines"),
-                false => format!("the words call the angle {said} `{letter}`, and `{letter}` is the angle {has}"),
+            let (said_of, has_of) = (shown(question, call.angle), shown(question, other));
+            let message = match walls(call.angle, other).map(|walls| walls.map(|wall| nth_wall(question, wall))) {
+                Some([said, has]) if said_of == has_of => {
+                    format!("the words measure the angle `{letter}` from the {said} wall, and it is one with the {has}")
+                }
+                None if said_of == has_of => {
+                    format!("the words call two angles `{letter}`, which are measured from different lines")
+                }
+                _ => format!("the words call the angle {said_of} `{letter}`, and `{letter}` is the angle {has_of}"),
             };
             let help = "give it a letter of its own, or say the time and the line of the angle that is meant";
             findings.push(Finding::new(message, call.at.clone(), "another angle").with_help(help).as_warning());
@@ -97,8 +107,8 @@ fn unknown(question: &Question) -> Vec<Finding> {
 fn shown(question: &Question, angle: Called) -> String {
     match angle {
         Called::Turned => "through which a path is turned".to_owned(),
-        Called::WithLine(None) => "of a path with a line".to_owned(),
-        Called::WithLine(Some((impact, moment))) => {
+        Called::WithLine { time: None, .. } => "of a path with a line".to_owned(),
+        Called::WithLine { time: Some((impact, moment)), .. } => {
             let all = if question.scene.then.is_empty() {
                 [""].as_slice()
             } else {
@@ -113,9 +123,38 @@ fn shown(question: &Question, angle: Called) -> String {
 /// May two be one angle? What is not said may be either.
 fn agree(one: Called, other: Called) -> bool {
     match (one, other) {
-        (Called::WithLine(Some(one)), Called::WithLine(Some(other))) => one == other,
-        (Called::WithLine(_), Called::WithLine(_)) | (Called::Turned, Called::Turned) => true,
-        _ => false,
+        (Called::WithLine { time: Some(one), .. }, Called::WithLine { time: Some(other), .. }) if one != other => false,
+        (Called::WithLine { .. }, Called::WithLine { .. }) => walls(one, other).is_none(),
+        (one, other) => one == other,
+    }
+}
+
+/// The impacts with the walls from which two angles are measured, where these are known and are two.
+fn walls(one: Called, other: Called) -> Option<[u8; 2]> {
+    let wall = |angle| if let Called::WithLine { wall, .. } = angle { wall } else { None };
+    let walls = [wall(one)?, wall(other)?];
+    (walls[0] != walls[1]).then_some(walls)
+}
+
+/// Which of the walls is that of an impact, in words.
+fn nth_wall(question: &Question, impact: u8) -> &'static str {
+    let before = impacts(&question.scene).iter().filter(|one| one.is_wall && one.number < impact).count();
+    ordinal(u8::try_from(before).unwrap_or_default())
+}
+
+/// The impact with a wall, or the first with one that is parallel to it.
+fn wall(question: &Question, impact: u8) -> Option<u8> {
+    let along = wall_of(&question.scene, impact)?;
+    (0..=impact).find(|one| wall_of(&question.scene, *one) == Some(along))
+}
+
+/// What a sphere has before one impact it has from the last.
+fn since(question: &Question, sphere: Sphere, (impact, moment): (u8, Moment)) -> (u8, Moment) {
+    let impacts = impacts(&question.scene);
+    let last = impacts.iter().rfind(|last| last.number < impact && last.has(sphere));
+    match (last, moment) {
+        (Some(last), Moment::Before) => (last.number, Moment::After),
+        _ => (impact, moment),
     }
 }
 
@@ -128,32 +167,35 @@ fn own_angles(question: &Question, letter: &str) -> Vec<Called> {
     let scene = &question.scene;
     let mut own = Vec::new();
     if names_of_given(&scene.before).contains(letter) {
-        own.push(Called::WithLine(Some((0, Moment::Before))));
+        own.push(Called::WithLine { time: Some((0, Moment::Before)), wall: None });
     }
     if names_of_given(&scene.after).contains(letter) {
-        own.push(Called::WithLine(Some((0, Moment::After))));
+        own.push(Called::WithLine { time: Some((0, Moment::After)), wall: None });
     }
     for condition in scene.conditions.iter().filter(|condition| names_in(condition).contains(letter)) {
         let words = condition.split(|sign: char| !(sign.is_ascii_alphanumeric() || "._".contains(sign)));
-        own.extend(words.filter_map(|word| word.parse().ok()).filter_map(angle_of));
+        own.extend(words.filter_map(|word| word.parse().ok()).filter_map(|quantity| angle_of(question, quantity)));
     }
     for answer in question.parts.iter().flat_map(|part| &part.answers) {
         let names = answer.show.iter().chain(answer.name.formulas()).flat_map(Expr::names);
         let is_its = names.into_iter().any(|name| name.text == letter);
         if let (Find::Quantity(quantity), true) = (&answer.find, is_its) {
-            own.extend(angle_of(*quantity));
+            own.extend(angle_of(question, *quantity));
         }
     }
     own
 }
 
-fn angle_of(quantity: Quantity) -> Option<Called> {
+fn angle_of(question: &Question, quantity: Quantity) -> Option<Called> {
     match quantity.of_its_impact() {
-        Quantity::AngleToLine(_, moment)
-        | Quantity::AngleToWall(_, moment)
-        | Quantity::TanToLine(_, moment)
-        | Quantity::TanToWall(_, moment)
-        | Quantity::TOverN(_, moment) => Some(Called::WithLine(Some((quantity.impact(), moment)))),
+        Quantity::AngleToLine(sphere, moment)
+        | Quantity::AngleToWall(sphere, moment)
+        | Quantity::TanToLine(sphere, moment)
+        | Quantity::TanToWall(sphere, moment)
+        | Quantity::TOverN(sphere, moment) => Some(Called::WithLine {
+            time: Some(since(question, quantity.sphere().unwrap_or(sphere), (quantity.impact(), moment))),
+            wall: wall(question, quantity.impact()),
+        }),
         Quantity::Deflection(_) | Quantity::TanDeflection(_) | Quantity::DeflectionDot(_) => Some(Called::Turned),
         _ => None,
     }
@@ -185,7 +227,10 @@ fn call(question: &Question, sentence: &Sentence, place: usize, named: Option<Sp
     let from = measured_from(&sentence[place + 1..]);
     let angle = match (is_turned, from) {
         (true, _) => Called::Turned,
-        (false, Some(_)) => Called::WithLine(time(question, sentence, place, named)),
+        (false, Some(_)) => Called::WithLine {
+            time: time(question, sentence, place, named),
+            wall: wall_measured_from(&question.scene, &sentence[place + 1..]).and_then(|own| wall(question, own)),
+        },
         (false, None) => return None,
     };
     let words: Vec<&str> = lead.split_whitespace().collect();
@@ -202,7 +247,7 @@ fn time(question: &Question, sentence: &Sentence, place: usize, named: Option<Sp
     let sphere = subject(&sentence[..place]).or(only).or(named)?;
     let rest = &sentence[at + 1..];
     let clause = rest.split(|token| *token == Token::Comma).next().unwrap_or_default();
-    impact(question, sphere, clause).map(|impact| (impact, moment))
+    impact(question, sphere, clause).map(|impact| since(question, sphere, (impact, moment)))
 }
 
 #[cfg(test)]
@@ -214,7 +259,7 @@ mod tests {
     fn a_letter_is_of_one_angle() {
         let (two, letters) = ("walls/restitution-from-two-angles", "rest-letters/direction-and-deflection");
         let (corner, distance) = ("successive/tangents-at-two-walls", "rest-letters/distance-from-the-centre-of-b");
-        let table: [(&str, Edits, &str); 10] = [
+        let table: [(&str, Edits, &str); 14] = [
             (two, &[], ""),
             (
                 two,
@@ -236,6 +281,25 @@ mod tests {
                 &[("{gamma} to", "{beta} to")],
                 "after the second impact `beta`, and `beta` is the angle after the first",
             ),
+            (
+                corner,
+                &[("{gamma} to the second", "{gamma} to the first")],
+                "`gamma` from the first wall, and it is one with the second",
+            ),
+            (
+                corner,
+                &[("{beta} to the first", "{beta} to the second")],
+                "`beta` from the second wall, and it is one with the first",
+            ),
+            (
+                corner,
+                &[
+                    ("{beta} to the first", "{beta} to the second"),
+                    ("find = \"A.after.tan_to_wall\"", "find = \"second.A.before.tan_to_wall\""),
+                ],
+                "",
+            ),
+            (corner, &[("{alpha} to the first", "{alpha} to the second")], ""),
             (distance, &[("a straight line and", "a line at an angle {theta} to the line of centres and")], "`theta`"),
         ];
         for (id, edits, words) in table {

@@ -1,5 +1,6 @@
 //! What the words say of angles: how large they are, from which line they are measured, and what their sine is.
 
+use super::impacts::wall_measured_from;
 use super::said::Seen;
 use super::sentence::{Sentence, Token, measured_from};
 use crate::bank::names_in_degrees;
@@ -18,8 +19,10 @@ impl Seen<'_> {
         after: &[Token],
     ) -> Option<(String, String)> {
         let from = measured_from(after)?;
-        let to_line = self.known.direction(self.first(sphere, Quantity::AngleToLine(sphere, moment))?);
-        let (across, along) = to_line?;
+        let (across, along) = match wall_measured_from(&self.question.scene, after) {
+            Some(wall) => self.to_wall(sphere, moment, wall)?,
+            None => self.known.direction(self.first(sphere, Quantity::AngleToLine(sphere, moment))?)?,
+        };
         let (y, x) = if from == Axis::N { (across, along) } else { (along, across) };
         let has = Angle::of(&y, &x)?;
         if let (Some(said), Some(has)) = (self.meaning(expr).and_then(degrees_said), Turn::of(has.clone()).to_f64()) {
@@ -46,6 +49,14 @@ impl Seen<'_> {
         let said = Angle::of(&said[0].square_root()?, &Value::ONE)?;
         let shown = |angle: &Angle| print::unicode(&written_angle(angle));
         Some((shown(&said), shown(&has)))
+    }
+
+    /// How large the components of a velocity are along the wall of an impact, which may come later, and across it.
+    fn to_wall(&self, sphere: Sphere, moment: Moment, wall: u8) -> Option<(Value, Value)> {
+        let of = |axis| self.known.number(self.first(sphere, Quantity::Velocity(sphere, moment, axis))?);
+        let ([x, y], (u, v)) = (self.along_wall(wall)?, (of(Axis::X)?, of(Axis::Y)?));
+        let size = |value: Value| if value.sign().is_some_and(|sign| sign.is_lt()) { -&value } else { value };
+        Some((size(&(&u * &x) + &(&v * &y)), size(&(&u * &y) - &(&v * &x))))
     }
 
     /// The square of the tangent that an equation of the words gives to an angle, by its tangent, sine or cosine.

@@ -1,11 +1,12 @@
 //! What the words say of who moves towards a wall, or away from it.
 
-use super::impacts::{impacts, wall_named};
+use super::impacts::{impacts, wall_named, wall_of};
 use super::said::{Seen, told_before};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
 use crate::expr::{Angles, read};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::Value;
 
 /// Words of an impact.
 pub(super) const STRUCK: [&str; 14] = [
@@ -69,6 +70,13 @@ impl Seen<'_> {
         }
     }
 
+    /// The vector along the wall of an impact.
+    pub(super) fn along_wall(&self, impact: u8) -> Option<[Value; 2]> {
+        let along = wall_of(&self.question.scene, impact)?;
+        let [x, y] = [0, 1].map(|at| self.number(&read(&along[at], Angles::Degrees).ok()?));
+        Some([x?, y?])
+    }
+
     /// Does a sphere, before it takes part in anything, move towards the wall of an impact? The wall lies where it is
     /// struck from.
     fn approaches(&self, sphere: Sphere, wall: u8) -> Option<bool> {
@@ -76,12 +84,8 @@ impl Seen<'_> {
         let impacts = impacts(scene);
         let first = impacts.iter().find(|impact| impact.has(sphere))?.number;
         let striker = *Sphere::ALL.iter().find(|sphere| impacts[usize::from(wall)].has(**sphere))?;
-        let along = match wall.checked_sub(1) {
-            None => scene.wall.as_ref(),
-            Some(later) => scene.then.get(usize::from(later))?.wall.as_ref(),
-        };
-        let [x, y] = [0, 1].map(|at| self.number(&read(&along?[at], Angles::Degrees).ok()?)?.to_f64());
-        let (x, y) = (x?, y?);
+        let [x, y] = self.along_wall(wall)?;
+        let (x, y) = (x.to_f64()?, y.to_f64()?);
         let across = |sphere: Sphere, impact: u8| {
             // What it has before one impact it has from the last.
             let last = impacts.iter().rfind(|last| last.number < impact && last.has(sphere));
