@@ -174,6 +174,12 @@ impl Walk<'_> {
             wrong_type(&format!("`{path}`"), expected, value.get_ref(), value.span(), self.faults);
             return None;
         };
+        if let Some([x, y]) = components(value) {
+            let (message, expected) = (format!("the components of `{path}` are named"), "expected a list of two texts");
+            let help = format!("write `[{x}, {y}]`, along i and along j");
+            self.faults.report(value.span(), message, expected, help);
+            return None;
+        }
         let mut keys = Keys::within("a velocity", value, self.faults)?;
         keys.demand("speed", "speed = \"u\"");
         let mut part = |key: &'static str| keys.get(key).and_then(|value| self.word(&format!("{path}.{key}"), value));
@@ -246,4 +252,21 @@ impl Walk<'_> {
         self.places.extend(found.into_iter().enumerate().map(|(index, words)| (format!("{key}[{index}]"), words)));
         texts
     }
+}
+
+/// The two values of `{ x = "3", y = "4" }` as they are written, or what to put in the place of one that is missing.
+fn components(value: &Spanned<DeValue>) -> Option<[String; 2]> {
+    let DeValue::Table(table) = value.get_ref() else { return None };
+    let of = |names: [&str; 2]| {
+        let found = names.map(|name| table.iter().find(|(key, _)| key.get_ref() == name).map(|(_, value)| value));
+        (table.len() == found.iter().flatten().count() && !table.is_empty()).then_some(found)
+    };
+    let shown = |(value, name): (Option<&Spanned<DeValue>>, &str)| match value.map(Spanned::get_ref) {
+        Some(DeValue::String(text)) => format!("\"{text}\""),
+        Some(DeValue::Integer(number)) => format!("\"{number}\""),
+        Some(DeValue::Float(number)) => format!("\"{number}\""),
+        _ => format!("\"{name}\""),
+    };
+    let [x, y] = of(["x", "y"]).or_else(|| of(["i", "j"]))?;
+    Some([(x, "x"), (y, "y")].map(shown))
 }

@@ -51,7 +51,9 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
             let own = part.scheme.iter().zip(&asked.marks).any(|(keyed, mark)| {
                 let belongs = || {
                     let is_its = keyed.blanks.contains(&blank.name) && is_for(&mark.earned_for, &answer.find);
-                    is_its && !(has_values && is_for_the_equation(mark, asked, answer))
+                    // The equation of a law is on the way to an inequality.
+                    let is_on_the_way = answer.kind == Kind::Range && matches!(mark.earned_for, EarnedFor::Law(..));
+                    is_its && !is_on_the_way && !(has_values && is_for_the_equation(mark, asked, answer))
                 };
                 rewards(&keyed.code) && (belongs() || is_beside(&mark.earned_for, &answer.find))
             });
@@ -204,6 +206,18 @@ mod tests {
             let found: Vec<String> = unrewarded(&question).into_iter().map(|finding| finding.message).collect();
             let expected = lacking.iter().map(|name| format!("no accuracy mark is for the answer `{name}`"));
             assert_eq!(found, expected.collect::<Vec<_>>(), "{step}");
+        }
+    }
+
+    #[test]
+    fn a_mark_for_the_equation_of_a_law_is_none_for_a_range() {
+        let (id, text) = shipped().find(|(id, _)| *id == "ranges/direction-reversed").unwrap();
+        for (step, is_told) in [("e", false), ("momentum", true)] {
+            let text = text.replacen("{ code = \"A1\", for = \"e\"", &format!("{{ code = \"A1\", for = \"{step}\""), 1);
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let found: Vec<String> = unrewarded(&question).into_iter().map(|finding| finding.message).collect();
+            assert_eq!(found == ["no accuracy mark is for the answer `values of e`"], is_told, "{step}: {found:?}");
+            assert!(is_told || found.is_empty());
         }
     }
 

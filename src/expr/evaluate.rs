@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::nearly::nearly;
-use super::{Expr, Fault, Function, Name, Relation, Span, Turn};
+use super::{Expr, Fault, Function, Name, Relation, Span, Turn, beside_an_angle};
 use crate::number::{Angle, Fraction, Interval, Letter, Value};
 
 /// What an expression stands for.
@@ -108,7 +108,7 @@ pub fn number(expr: &Expr, names: Names) -> Result<Value, Fault> {
 /// The angle that an expression stands for where a number of degrees is expected: `30`,
 /// `atan(3/4)/deg`, or a letter that was declared `acute`.
 pub fn degrees(expr: &Expr, names: Names) -> Result<Turn, Fault> {
-    match evaluate(expr, names)? {
+    match evaluate(expr, names).or_else(|fault| beside_an_angle(expr, names).ok_or(fault))? {
         Number(value) => match value.as_fraction() {
             Some(degrees) => Ok(Turn::degrees(degrees.clone())),
             None => Err(fault("an angle in degrees is neither a fraction nor an acute letter", "a number of degrees")

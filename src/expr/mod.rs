@@ -3,6 +3,7 @@
 //! Text is read into an [`Expr`]; an `Expr` is evaluated into an exact value; every printed formula
 //! is made from an `Expr` by one of the printers. Nothing else in carom makes LaTeX or MathML.
 
+mod beside_angle;
 mod circle;
 mod evaluate;
 mod fault;
@@ -18,6 +19,7 @@ mod written;
 #[cfg(test)]
 mod written_tests;
 
+use beside_angle::beside_an_angle;
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;
 pub(crate) use read::bare_in_degrees;

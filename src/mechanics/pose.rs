@@ -220,9 +220,11 @@ fn contact(scene: &Scene, known: &mut Known<Value>) -> Result<(), Refusal> {
         && x.is_zero()
         && y.is_zero()
     {
-        return Err(Refusal::impossible(
-            "A and B have the same velocity before, so neither approaches the other: there is no impact",
-        ));
+        let same = "A and B have the same velocity before, so neither approaches the other: there is no impact";
+        return Err(Refusal::impossible(same).try_this(match scene.setting {
+            Setting::Wall => "give A a velocity towards the wall",
+            _ => "give A a velocity with which it comes nearer to B",
+        }));
     }
     match &scene.contact {
         None => Ok(()),
@@ -231,7 +233,12 @@ fn contact(scene: &Scene, known: &mut Known<Value>) -> Result<(), Refusal> {
             let approaching = match (&speed, sense) {
                 (Some(speed), _) if speed.is_zero() => Err(Refusal::impossible(
                     "the velocities of A and B have equal components along the line of centres: the spheres do not approach, so there is no impact",
-                )),
+                )
+                .try_this(match scene.setting {
+                    Setting::Wall => "turn the velocity or the wall: `wall` is a vector along it, and not across it",
+                    Setting::Direct => "give A the greater velocity, positive from A to B",
+                    _ => "turn a velocity or `line_of_centres`, which goes from the one centre to the other",
+                })),
                 (Some(speed), None) => Ok(speed.sign() != Some(Ordering::Less)),
                 _ => Ok(true),
             }?;

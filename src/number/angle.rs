@@ -97,15 +97,15 @@ impl Angle {
         self.y.is_constant() && self.x.is_constant()
     }
 
-    /// The number of degrees, where it is a rational one that one would look for: a whole or half
-    /// one, or one as fine as the angles that were given. Found by measuring, then proved.
+    /// The number of degrees, where it is a rational one that one would look for: a whole one or quarters, such as lie half
+    /// way between whole and half ones, or one as fine as the angles that were given. Found by measuring, then proved.
     pub fn whole_degrees(&self) -> Option<Fraction> {
         let letters = self.letters();
         if !letters.iter().all(Letter::is_constant) {
             return None;
         }
         let fine = letters.iter().filter_map(|letter| letter.name().parse::<Fraction>().ok());
-        let denominator = fine.fold(Fraction::from(2), |product, given| {
+        let denominator = fine.fold(Fraction::from(4), |product, given| {
             let below = Fraction::from(given.denominator());
             if (&product / &below).is_integer() { product } else { &product * &below }
         });

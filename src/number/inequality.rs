@@ -45,6 +45,19 @@ impl Span {
             _ => Span { low: None, high: None },
         }
     }
+
+    /// Does another lie within it?
+    pub fn holds(&self, other: &Span) -> bool {
+        let ends = |own: &Option<End>, its: &Option<End>, inwards: Ordering| match (own, its) {
+            (None, _) => true,
+            (Some(own), Some(its)) => match (&its.value - &own.value).sign() {
+                Some(Ordering::Equal) => own.included || !its.included,
+                sign => sign == Some(inwards),
+            },
+            (Some(_), None) => false,
+        };
+        ends(&self.low, &other.low, Ordering::Greater) && ends(&self.high, &other.high, Ordering::Less)
+    }
 }
 
 /// The spans of a letter, from the least up, in which every demand is met. Other letters may remain in the values, as

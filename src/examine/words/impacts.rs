@@ -46,7 +46,8 @@ pub fn wall_named(scene: &SceneText, words: &[Token]) -> Option<u8> {
 
 /// The impact with the wall from which an angle is measured for which these words come next: `with the second wall`.
 pub fn wall_measured_from(scene: &SceneText, after: &[Token]) -> Option<u8> {
-    let after = &after[..after.iter().position(|token| matches!(token, Token::Number(..))).unwrap_or(after.len()).min(10)];
+    let after =
+        &after[..after.iter().position(|token| matches!(token, Token::Number(..))).unwrap_or(after.len()).min(10)];
     let leads = (0..after.len()).filter(|place| is_one_of(&after[*place], &["with", "to", "and", "between"]));
     leads.into_iter().find_map(|place| wall_named(scene, &after[place + 1..]))
 }

@@ -48,6 +48,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.towards_itself(&sentence, &mut findings);
             seen.sides(&sentence, &mut findings);
             seen.lines_of_motion(&sentence, is_later, &mut findings);
+            seen.perpendicular_paths(&sentence, is_later, &mut findings);
             seen.across(&sentence, &mut findings);
             seen.about_a_wall(&sentence, is_struck, &mut findings);
             seen.striking(&sentence, is_struck, &mut findings);

@@ -102,6 +102,34 @@ impl Seen<'_> {
         }
     }
 
+    /// Two spheres that are said to move in lines at right angles to each other: `along perpendicular lines`.
+    pub(super) fn perpendicular_paths(&self, sentence: &Sentence, is_later: bool, findings: &mut Vec<Finding>) {
+        const PATHS: [&str; 4] = ["lines", "paths", "directions", "courses"];
+        let is_said = |pair: &[Token]| is_one_of(&pair[0], &["perpendicular"]) && is_one_of(&pair[1], &PATHS);
+        let Some(place) = sentence.windows(2).position(is_said) else { return };
+        let moment = match told(sentence, place) {
+            Some((_, moment)) => moment,
+            None if is_later => return,
+            None => Moment::Before,
+        };
+        // The lines of walls and of unit vectors are others.
+        if says(sentence, &["wall", "walls", "vectors", "not", "never"]) || self.is_alone() {
+            return;
+        }
+        let along = |axis| {
+            let of = |sphere| self.known.number(Quantity::Velocity(sphere, moment, axis));
+            Some(&of(Sphere::A)? * &of(Sphere::B)?)
+        };
+        let across = if self.question.scene.is_in_one_line() { Some(Value::ZERO) } else { along(Axis::Y) };
+        let (Some(along), Some(across)) = (along(Axis::X), across) else { return };
+        if (&along + &across).sign().is_some_and(|sign| sign.is_ne()) {
+            let then = if moment == Moment::After { "then " } else { "" };
+            let message = format!("the words say that the spheres {then}move in perpendicular lines, and it is not so");
+            let help = "say how they move in `[scene]`, or change it there";
+            findings.push(self.finding(message, "perpendicular", help));
+        }
+    }
+
     /// The line that comes next after `moving`, if it is that of the motion.
     fn path(&self, after: &[Token]) -> Option<Path> {
         const OF_ANOTHER: [&str; 10] =

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use super::said::Seen;
 use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says};
+use super::truth::is_always;
 use crate::examine::Finding;
 use crate::expr::{Angles, Meaning, print, read};
 use crate::mechanics::{Meeting, Quantity, Sphere};
@@ -97,8 +98,8 @@ impl Seen<'_> {
         let other = if one == Sphere::A { Sphere::B } else { Sphere::A };
         let mass = |sphere| self.known.number(Quantity::Mass(sphere));
         let (Some(own), Some(its)) = (mass(one), mass(other)) else { return };
-        let sign = (&own - &its).sign();
-        if sign.is_some_and(|sign| if word == "lighter" { !sign.is_lt() } else { !sign.is_gt() }) {
+        let wanted = if word == "lighter" { Ordering::Less } else { Ordering::Greater };
+        if is_always(self.variant, &(&own - &its), wanted) == Some(false) {
             let message = format!("the words say that `*{}*` is the {word} sphere, and it is not so", one.name());
             findings.push(self.finding(
                 message,
@@ -132,8 +133,8 @@ impl Seen<'_> {
             let own = |of: Sphere| self.known.number(self.first(of, Quantity::Mass(of))?);
             let (Some(own), Some(its)) = (own(one), own(other)) else { continue };
             let is_denied = says(before, &["not"]);
-            let sign = (&own - &its).sign();
-            if is_one_of(&after[0], &["than"]) && sign.is_some_and(|sign| (sign == wanted) == is_denied) {
+            let is_so = is_always(self.variant, &(&own - &its), wanted);
+            if is_one_of(&after[0], &["than"]) && is_so == Some(is_denied) {
                 let Token::Word(word) = &sentence[at] else { continue };
                 let not = if is_denied { "not " } else { "" };
                 let message = format!(
@@ -225,5 +226,39 @@ fn sphere(token: &Token) -> Option<Sphere> {
     match token {
         Token::Sphere(sphere) => Some(*sphere),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::said;
+    use crate::examine::Edits;
+
+    #[test]
+    fn who_is_the_heavier_is_so_for_every_value_of_a_ratio_that_is_found() {
+        let (goes_on, can_be) = ("ranges/mass-ratio-when-a-goes-on", "ranges/mass-ratio-that-can-be");
+        let constant = "where {k} is a positive constant.";
+        let with = |words: &str| format!("{constant} {words}");
+        let [lighter, heavier, than, greater] = [
+            "The lighter sphere is *A*.",
+            "The heavier sphere is *A*.",
+            "*B* is heavier than *A*.",
+            "The mass of *A* is greater than that of *B*.",
+        ]
+        .map(with);
+        // The speeds 3u and 2u of A leave it 2 to 5 times the mass of B.
+        let (three, two) = (("p = \"2..40\"", "p = [\"3\"]"), ("q = \"1..39\"", "q = [\"2\"]"));
+        let table: [(&str, Edits, &str); 6] = [
+            (goes_on, &[(constant, &lighter)], "`*A*` is the lighter sphere"),
+            (can_be, &[three, two, (constant, &heavier)], ""),
+            (can_be, &[three, two, (constant, &lighter)], "`*A*` is the lighter sphere"),
+            (can_be, &[three, two, (constant, &than)], "B is heavier than A"),
+            (can_be, &[three, two, (constant, &greater)], ""),
+            (goes_on, &[(constant, &with("The mass of *A* is less than that of *B*."))], "less than that of `*B*`"),
+        ];
+        for (id, edits, words) in table {
+            let said = said(id, edits);
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
     }
 }

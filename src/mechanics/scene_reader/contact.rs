@@ -98,6 +98,7 @@ impl Reader<'_> {
             }
             _ => {}
         }
+        let [a, b] = self.radii(text);
         let ways = [text.line_of_centres.is_some(), !text.positions.is_none(), text.impact_parameter.is_some()];
         if ways.iter().filter(|way| **way).count() > 1 {
             let message = "the line of centres is given in more than one way";
@@ -120,8 +121,6 @@ impl Reader<'_> {
         if text.positions.is_none() && text.impact_parameter.is_none() {
             return None;
         }
-        let a = self.optional(text.radii.a.as_ref(), "radii.A");
-        let b = self.optional(text.radii.b.as_ref(), "radii.B");
         if text.radii.a.is_none() || text.radii.b.is_none() {
             let fault = Fault::new("the radii are missing", Span::default(), "it needs `radii` of both A and B");
             let given = if text.impact_parameter.is_some() { "impact_parameter" } else { "positions" };
@@ -129,12 +128,6 @@ impl Reader<'_> {
             self.fault(field, fault.try_this("add `radii` for A and for B, such as `\"1\"` for each"));
         }
         let (a, b) = (a?, b?);
-        for (radius, field) in [(&a, "radii.A"), (&b, "radii.B")] {
-            if radius.value.sign().is_some_and(|sign| sign.is_le()) {
-                let fault = Fault::new("a radius is not positive", Span::default(), "a length above 0");
-                self.fault(field, fault.try_this("check its sign"));
-            }
-        }
         let sum = &a.value + &b.value;
         let shown = if a.shown == b.shown {
             Expr::product([Expr::integer(2), a.shown.clone()])
@@ -160,6 +153,20 @@ impl Reader<'_> {
         let b = place(text.positions.b.as_ref(), "B");
         let ([a_x, a_y], [b_x, b_y]) = (a?, b?);
         Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
+    }
+}
+
+impl Reader<'_> {
+    /// The radii. Where the line of centres is given they are for the words alone, and still lengths.
+    fn radii<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> [Option<Given>; 2] {
+        [(text.radii.a.as_ref(), "radii.A"), (text.radii.b.as_ref(), "radii.B")].map(|(radius, field)| {
+            let radius = self.optional(radius, field)?;
+            if radius.value.sign().is_some_and(|sign| sign.is_le()) {
+                let fault = Fault::new("a radius is not positive", Span::default(), "a length above 0");
+                self.fault(field, fault.try_this("check its sign"));
+            }
+            Some(radius)
+        })
     }
 }
 
