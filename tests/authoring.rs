@@ -313,7 +313,7 @@ fn every_schema_that_is_kept_is_printed() {
 const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for-what-is-given brace-never-closed
 brace-of-the-line-before components-exchanged components-of-two-spheres condition-as-a-sentence condition-misspelt
-condition-on-what-is-given condition-without-equation condition-without-unknown crlf depends-on-nothing derived-beside-parameter
+condition-on-what-is-given condition-without-equation condition-without-unknown chain-of-inequalities-in-words crlf depends-on-nothing derived-beside-parameter
 derived-from-each-other derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer
 formulas-that-cannot-be-read fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there
 impossible-restitution impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
@@ -321,7 +321,7 @@ later-newcomer-without-velocity later-not-neighbours later-struck-by-nobody late
 later-without-e law-with-a-number letter-called-as-a-unit letter-nowhere-declared letter-that-is-no-unknown
 letter-that-is-not-declared letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought measure-never-closed
 method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end open-without-a-mass open-without-b-before
-parameter-and-letter parameter-in-another-case range-in-words range-with-a-dash reference-lacks-parameter
+parameter-and-letter parameter-in-another-case radius-of-nought range-in-words range-with-a-dash reference-lacks-parameter
 requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things
 requirement-twice requirement-without-truth requirements-of-both restitution-above-one restitution-nowhere-declared
 result-in-stem result-without-show reversed-range second-component-tested several-values-in-one-text shown-is-an-equation shown-is-not-found

@@ -40,8 +40,14 @@ pub fn given_unknowns(scene: &SceneText) -> Vec<SceneFault> {
         // What stands for itself is not given.
         let value = given(unknown).filter(|value| *value != unknown)?;
         let message = format!("`{unknown}` is given, and cannot be found");
-        let fault = Fault::new(message, Span::default(), format!("the scene gives it the value `{value}`"))
-            .try_this("take the name out of `unknowns`, or the value out of the scene");
+        let fault = Fault::new(message, Span::default(), format!("the scene gives it the value `{value}`")).try_this(
+            match unknown.as_str() {
+                "e" if !scene.then.is_empty() => {
+                    "give the letter of the later impact another name: `e` is the coefficient of the first"
+                }
+                _ => "take the name out of `unknowns`, or the value out of the scene",
+            },
+        );
         Some(SceneFault { field: format!("unknowns[{place}]"), fault, is_of_the_form: true })
     });
     faults.collect()

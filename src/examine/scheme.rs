@@ -240,6 +240,31 @@ mod tests {
     }
 
     #[test]
+    fn steps_to_a_letter_lead_to_what_follows_from_it() {
+        let (id, text) = shipped().find(|(id, _)| *id == "deflection/greatest-deflection").unwrap();
+        let part = |find: &str, step: &str| {
+            format!(
+                "[[part]]\nask = \"Find it.\"\nanswers = [{{ name = \"answer\", find = \"{find}\" }}]\nmarks = [\n  \
+                 {{ code = \"M1\", for = \"{step}\" }},\n  {{ code = \"A1\", for = \"{find}\" }},\n]\n\n[reference]"
+            )
+        };
+        let (before, rest) = text.split_once("[[part]]").unwrap();
+        let (_, numbers) = rest.split_once("[reference]").unwrap();
+        for (find, step, is_taken) in [
+            ("A.before.tan_to_loc", "momentum", true),
+            ("A.before.tan_to_loc", "restitution", true),
+            ("A.before.tan_to_loc", "condition", true),
+            ("A.before.tan_to_loc", "impulse", false),
+            ("A.deflection_deg", "energy", false),
+        ] {
+            let text = format!("{before}{}{numbers}", part(find, step));
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let found: Vec<String> = unrewarded(&question).into_iter().map(|finding| finding.message).collect();
+            assert_eq!(found.is_empty(), is_taken, "{find}, {step}: {found:?}");
+        }
+    }
+
+    #[test]
     fn an_exercise_of_another_series_is_left_alone() {
         let (id, text) = shipped().find(|(_, text)| text.contains("mirrors = \"5C-2\"")).unwrap();
         for (name, said) in

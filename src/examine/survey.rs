@@ -288,9 +288,13 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
             numbers(style, *first)
         );
         let (named, why) = refusal(question, style, *first);
-        let message = format!("{message}{}", why.map_or_else(String::new, |why| format!(": {why}")));
+        let message = format!("{message}{}", why.as_ref().map_or_else(String::new, |why| format!(": {why}")));
         let (label, help) = match reason {
             Unfit::NoValue => ("of no value there", "require what gives it one: below a line `a - b` wants `a != b`"),
+            Unfit::Underdetermined if why.as_ref().is_some_and(|why| why.contains("whatever")) => (
+                "they are never dealt, and every deal has to try them",
+                "require numbers with which some values meet the conditions and others do not",
+            ),
             Unfit::Underdetermined => (
                 "they are never dealt, and every deal has to try them",
                 "require what determines it: a sphere that is at rest has no direction, and `A.after.speed > 0` says that \

@@ -132,7 +132,8 @@ fn approach(known: &Known<Value>, line_is_given: bool) -> Result<(), Refusal> {
         })),
         Some(Ordering::Equal) => Err(Refusal::impossible(
             "the spheres have equal velocities along the line of centres: they do not approach, so there is no impact",
-        )),
+        )
+        .try_this("turn a velocity that is given")),
         _ => Ok(()),
     }
 }

@@ -66,6 +66,9 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
         }
         _ => answer.kind == Kind::Range,
     };
+    // Where no answer of the part that has the finding is what was found, each follows from it.
+    let is_found = here.part.answers.iter().any(from_conditions);
+    let follows = |answer: &Answer| from_conditions(answer) || (!is_found && !here.finding.is_empty());
     let needs = |step: &EarnedFor| {
         let mut steps = here.behind.iter().chain(&here.steps).peekable();
         steps.peek().is_none() || steps.any(|taken| is_of(&taken.rule, step))
@@ -81,18 +84,17 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
                 };
                 match from_conditions(answer) {
                     true => needs(&EarnedFor::Quantity(*quantity)),
-                    false => asked.iter().any(about),
+                    false => asked.iter().any(about) || (follows(answer) && needs(&EarnedFor::Quantity(*quantity))),
                 }
             }
         };
         match &mark.earned_for {
             EarnedFor::Quantity(_) | EarnedFor::Both(_) => mark.earned_for.quantities().iter().any(has_value),
             EarnedFor::Unknown(name) => answer.find == Find::Unknown(name.clone()),
-            // Where no answer is what was found, each follows from it.
-            EarnedFor::Condition => from_conditions(answer) || !here.part.answers.iter().any(from_conditions),
+            EarnedFor::Condition => from_conditions(answer) || !is_found,
             step => {
                 let steps = steps_to(&asked, &here.given);
-                (from_conditions(answer) && needs(step)) || steps.iter().any(|rule| is_of(rule, step))
+                (follows(answer) && needs(step)) || steps.iter().any(|rule| is_of(rule, step))
             }
         }
     });

@@ -1,5 +1,6 @@
 //! What a scene determines is there, exactly or named with its decimal: nothing is left out in silence.
 
+use carom::expr::print;
 use carom::mechanics::{Datum, Derivation, Known, Quantity};
 use carom::number::Value;
 use carom::solve::{Solution, report, solve_all};
@@ -77,6 +78,25 @@ fn carom_knows_the_decimals_of_what_has_no_exact_form() {
     assert_eq!(of("B.after.n"), "`B.after.n` ≈ 4.37 m/s");
     assert_eq!(of("A.after.angle_to_loc_deg"), "`A.after.angle_to_loc_deg` ≈ 22.9°");
     assert_eq!(of("A.before.n"), "");
+}
+
+#[test]
+fn carom_knows_quarters_of_a_degree_and_the_degrees_beside_a_letter() {
+    // Two velocities of one size: their difference lies half way between 60° and 22.5°.
+    let scene = json!({
+        "masses": { "A": "2", "B": "3" }, "line_of_centres": ["1", "0"], "e": "1/2",
+        "before": { "A": { "speed": "4", "angle_deg": "60" }, "B": { "speed": "4", "angle_deg": "202.5" } }
+    });
+    let exact = |scene: &Json, name: &str| print::plain(&solved(scene).exact(name.parse().unwrap()).unwrap());
+    assert_eq!(exact(&scene, "alpha_deg"), "165/4");
+    let scene = |angle: &str| {
+        json!({
+            "masses": { "A": "2", "B": "3" }, "line_of_centres": ["1", "0"], "e": "1/2", "symbols": { "alpha": "acute" },
+            "before": { "A": ["6", "0"], "B": { "speed": "4", "angle_deg": angle } }
+        })
+    };
+    assert_eq!(exact(&scene("180 - alpha"), "B.before.n"), "-4*cos(alpha)");
+    assert_eq!(exact(&scene("180 - alpha"), "ke.lost"), exact(&scene("180 deg - alpha"), "ke.lost"));
 }
 
 #[test]

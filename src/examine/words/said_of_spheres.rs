@@ -5,11 +5,11 @@ use std::cmp::Ordering;
 
 use super::said::Seen;
 use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says};
-use super::truth::is_always;
 use crate::examine::Finding;
 use crate::expr::{Angles, Meaning, print, read};
+use crate::generate::Variant;
 use crate::mechanics::{Meeting, Quantity, Sphere};
-use crate::number::Value;
+use crate::number::{Demand, Value, solve_inequalities};
 
 impl Seen<'_> {
     /// Masses that are said to be equal, of the spheres that the sentence names or of all.
@@ -186,6 +186,17 @@ impl Seen<'_> {
             findings.push(self.finding(message, radii, "give in `[scene]` the `radii` that are said, or say others"));
         }
     }
+}
+
+/// Has a number this sign, whatever the letter comes to of which a range is found? None where that is not known.
+pub(super) fn is_always(variant: &Variant, number: &Value, wanted: Ordering) -> Option<bool> {
+    if let Some(sign) = number.sign() {
+        return Some(sign == wanted);
+    }
+    let values = variant.solution.range().filter(|values| number.has_letter(|letter| *letter == values.letter))?;
+    let number = if wanted.is_lt() { -number } else { number.clone() };
+    let spans = solve_inequalities(&[(number, Demand::Positive)], values.letter).ok()?;
+    Some(spans.iter().any(|span| span.holds(&values.span)))
 }
 
 /// Are radii typed in the words, as numbers without braces, and is one of them another than the first?

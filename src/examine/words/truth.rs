@@ -2,13 +2,14 @@
 
 use std::cmp::Ordering;
 
+use super::said_of_spheres::is_always;
 use super::sentence::{Token, in_order, is_one_of, is_supposed, sentences, subject};
 use super::sentences::around;
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
-use crate::number::{Demand, Value, solve_inequalities};
+use crate::number::Value;
 use crate::paper::Words;
 use crate::unit::Unit;
 
@@ -211,17 +212,6 @@ impl Compared {
         let help = "require that it is so, or take the words out";
         (!is_so).then(|| remark("a comparison that is not so", &format!("{said} than"), &shown, help))
     }
-}
-
-/// Has a number this sign, whatever the letter comes to of which a range is found? None where that is not known.
-pub(super) fn is_always(variant: &Variant, number: &Value, wanted: Ordering) -> Option<bool> {
-    if let Some(sign) = number.sign() {
-        return Some(sign == wanted);
-    }
-    let values = variant.solution.range().filter(|values| number.has_letter(|letter| *letter == values.letter))?;
-    let number = if wanted.is_lt() { -number } else { number.clone() };
-    let spans = solve_inequalities(&[(number, Demand::Positive)], values.letter).ok()?;
-    Some(spans.iter().any(|span| span.holds(&values.span)))
 }
 
 fn compared(text: &Text, found: &mut Vec<Compared>) {

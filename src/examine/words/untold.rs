@@ -172,7 +172,9 @@ fn untold(condition: &str, said: &[Sentence], is_in_a_line: bool) -> Option<Unto
             Some(Untold { what: "the right angle", example, is_hinted })
         }
         ([side, None], "0") if along(side) && is_equation => {
-            let tells = |sentence: &Sentence| tells_of_rest(sentence) || tells_of_the_way_after(sentence);
+            let tells = |sentence: &Sentence| {
+                tells_of_rest(sentence) || tells_of_the_way_after(sentence) || sentence.iter().any(is_ninety_degrees)
+            };
             is_told(!said.iter().any(|sentence| tells(sentence) && may_be_of(sentence, side)))?;
             // In a plane it still moves across the line of centres.
             let (what, example) = match is_in_a_line {
@@ -212,8 +214,8 @@ fn may_be_of(sentence: &[Token], quantity: Option<Quantity>) -> bool {
 
 /// `Is brought to rest`, `stops`, and not `which is at rest`; along a line of centres `moves perpendicular to it` too.
 fn tells_of_rest(sentence: &[Token]) -> bool {
-    const STOPS: [&str; 9] =
-        ["stops", "stop", "stopped", "stationary", "zero", "nought", "perpendicular", "right", "motionless"];
+    const STOPS: [&str; 10] =
+        ["stops", "stop", "stopped", "stationary", "zero", "nought", "perpendicular", "right", "tangent", "motionless"];
     const THEN: [&str; 10] =
         ["after", "afterwards", "brought", "brings", "bring", "comes", "come", "reduced", "left", "then"];
     says(sentence, &STOPS) || (says(sentence, &["rest"]) && says(sentence, &THEN))
@@ -294,13 +296,16 @@ fn tells_of_a_right_angle(sentence: &[Token]) -> bool {
     const OTHERS: [&str; 9] =
         ["vectors", "wall", "walls", "centres", "component", "components", "distance", "radius", "plane"];
     let is_pair = |pair: &[Token]| is_one_of(&pair[0], &["right"]) && is_one_of(&pair[1], &["angle", "angles"]);
-    let is_number = |token: &Token| match token {
+    sentence.windows(2).any(is_pair)
+        || sentence.iter().any(is_ninety_degrees)
+        || (says(sentence, &["perpendicular"]) && !says(sentence, &OTHERS))
+}
+
+fn is_ninety_degrees(token: &Token) -> bool {
+    match token {
         Token::Number(expr @ Expr::Number(_), Unit::Degree, _) => print::plain(expr) == "90",
         token => is_one_of(token, &["90", "right-angle", "right-angles"]),
-    };
-    sentence.windows(2).any(is_pair)
-        || sentence.iter().any(is_number)
-        || (says(sentence, &["perpendicular"]) && !says(sentence, &OTHERS))
+    }
 }
 
 #[cfg(test)]
@@ -368,7 +373,9 @@ mod tests {
         let oblique = "ranges/turned-back-by-an-oblique-impact";
         let away = "After the collision the component of the velocity of *A* along the line of centres is directed away from *B*. Find";
         let across = ("conditions      = [\"A.after.n < 0\"]", "conditions = [\"A.after.n = 0\"]");
-        let table: [(&str, Edits, &str); 34] = [
+        let table: [(&str, Edits, &str); 36] = [
+            (oblique, &[across, single, (away, "*A* then moves along the common tangent. Find")], ""),
+            (oblique, &[across, single, (away, "Its new path makes {90 deg} with the line of centres. Find")], ""),
             (oblique, &[across, single, (away, "Find")], "a sphere that goes on perpendicular to the line of centres"),
             (oblique, &[across, single, (away, "*A* then moves perpendicular to the line of centres. Find")], ""),
             (reversed, &[(back, "Find")], "the way in which a sphere goes on"),

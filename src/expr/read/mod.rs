@@ -3,6 +3,7 @@
 //! Whatever the text, the answer is a tree or a [`Fault`](super::Fault): length and depth are limited.
 
 mod call;
+mod chain;
 mod lexer;
 mod markup;
 mod meant;

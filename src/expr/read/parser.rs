@@ -6,7 +6,7 @@
 use super::lexer::{Placed, Token, tokens};
 use super::meant::nothing_in_brackets;
 use crate::expr::fault::Fault;
-use crate::expr::{Expr, Function, Name, Relation, Span, print};
+use crate::expr::{Expr, Function, Name, Span};
 use crate::number::Fraction;
 
 /// The measure of a bare number under `sin`, `cos` and `tan`.
@@ -144,24 +144,7 @@ impl<'a> Parser<'a> {
         self.node(Expr::Relation(Box::new(left.expr), *relation, Box::new(right.expr)), below)
     }
 
-    /// A chain such as `0 < e < 1`, with the two formulas that say it.
-    fn second_relation(&mut self, left: Part, relation: Relation, middle: Part) -> Fault {
-        let (span, second) = (self.span(), self.peek());
-        self.next += 1;
-        let of = |left: Expr, relation, right| {
-            format!("`{}`", print::plain(&Expr::Relation(Box::new(left), relation, Box::new(right))))
-        };
-        let help = match (second, self.sum()) {
-            (Some(Token::Relation(second)), Ok(last)) => {
-                let first = of(left.expr, relation, middle.expr.clone());
-                format!("write two formulas instead of a chain: {first} and {}", of(middle.expr, *second, last.expr))
-            }
-            _ => "write two formulas instead of a chain".to_owned(),
-        };
-        Fault::new("a second relation", span, "one relation at most").try_this(help)
-    }
-
-    fn sum(&mut self) -> Result<Part, Fault> {
+    pub(super) fn sum(&mut self) -> Result<Part, Fault> {
         let mut terms = Vec::new();
         let mut height = 0;
         // A plus sign in front says nothing.
