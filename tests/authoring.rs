@@ -318,7 +318,7 @@ derived-from-each-other derived-in-wrong-order division-by-nought empty-title em
 formulas-that-cannot-be-read fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there
 impossible-restitution impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
 later-newcomer-without-velocity later-not-neighbours later-struck-by-nobody later-velocity-in-a-plane later-wall-along-the-line
-later-without-e law-with-a-number letter-called-as-a-unit letter-nowhere-declared letter-that-is-no-unknown
+later-without-e law-with-a-number left-side-shown-alone letter-called-as-a-unit letter-nowhere-declared letter-that-is-no-unknown
 letter-that-is-not-declared letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought measure-never-closed
 method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end open-without-a-mass open-without-b-before
 parameter-and-letter parameter-in-another-case radius-of-nought range-in-words range-with-a-dash reference-lacks-parameter

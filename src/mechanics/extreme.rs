@@ -50,6 +50,7 @@ pub(super) fn without_largest(scene: &Scene, quantity: Quantity, left_out: &str)
     let name = without_markup(&in_english(quantity, scene.setting));
     let unknown = scene.unknowns.first().map_or("", Letter::name);
     Refusal::impossible(format!("no {unknown} makes {name} as large as possible: {left_out}"))
+        .try_this("name in `maximise` what grows and falls again, such as `A.tan_deflection`")
 }
 
 impl Posed {

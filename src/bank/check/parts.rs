@@ -126,13 +126,13 @@ fn read_ask(words: &Words, answers: &[Answer], used: &mut NamesUsed, faults: &mu
     Some(paragraphs)
 }
 
-/// Does a formula state a result: on a line of its own, or as an equation?
+/// Does a formula state a result, or an equation?
 fn states(piece: &Piece) -> bool {
     let is_result = |expr: &Expr| match expr {
         Expr::Name(name) => name.text == "result",
         _ => matches!(expr, Expr::Relation(..)),
     };
-    matches!(piece, Piece::Display(_)) || formulas(std::slice::from_ref(piece)).into_iter().any(is_result)
+    formulas(std::slice::from_ref(piece)).into_iter().any(is_result)
 }
 
 fn is_starred(words: &Words, name: &Name) -> bool {

@@ -24,6 +24,11 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             if let Some(found) = on_another(&asked, answer).or_else(|| exerted_by_its_own(&asked, answer)) {
                 findings.push(found.at_row(place, "answers", row));
             }
+            if let Some(own) = asked.iter().find_map(exerts_on_itself) {
+                let message = format!("the words have `*{}*` exert an impulse on itself", own.name());
+                let found = Finding::new(message, "", "no sphere does that");
+                findings.push(found.with_help("name the other sphere").at_row(place, "answers", row));
+            }
             if let Some(other) = asked.iter().find_map(|sentence| exerts_otherwise(sentence, impact)) {
                 let name = print::text_unicode(&answer.name);
                 let message =
@@ -139,6 +144,22 @@ fn exerted_by_its_own(asked: &[Sentence], answer: &Answer) -> Option<Finding> {
     Some(Finding::new(message, "", format!("on {own}")).with_help(help))
 }
 
+/// `That A exerts on A`, `exerted on A by A`.
+fn exerts_on_itself(sentence: &Sentence) -> Option<Sphere> {
+    let own = |one: &Sphere, other: &Sphere| (one == other).then_some(*one);
+    sentence.windows(4).find_map(|words| match words {
+        [Token::Sphere(one), exerts, on, Token::Sphere(other)]
+            if is_one_of(exerts, &["exerts"]) && is_one_of(on, &["on"]) =>
+        {
+            own(one, other)
+        }
+        [on, Token::Sphere(one), by, Token::Sphere(other)] if is_one_of(on, &["on"]) && is_one_of(by, &["by"]) => {
+            own(one, other)
+        }
+        _ => None,
+    })
+}
+
 /// `That A exerts on B`: who is named, where an impact is of others.
 fn exerts_otherwise(sentence: &[Token], impact: &Impact) -> Option<String> {
     let at = sentence.windows(2).position(|pair| is_one_of(&pair[0], &["exerts"]) && is_one_of(&pair[1], &["on"]))?;
@@ -222,8 +243,9 @@ mod tests {
         let onto = "successive/struck-onto-a-wall";
         let both = "both-moving/energy-lost-and-impulse";
         let after = ("rest/speeds-and-directions", "Immediately before the collision");
-        let table: [(&str, Edits, &str); 25] = [
+        let table: [(&str, Edits, &str); 26] = [
             (line, &[], ""),
+            (line, &[("that *B* exerts on *C*", "that *C* exerts on *C*")], "have `*C*` exert an impulse on itself"),
             (
                 both,
                 &[("exerted on *B*", "exerted on *A*")],

@@ -53,10 +53,15 @@ fn own_axis(mark: &Mark) -> Option<Axis> {
                 _ => None,
             }
         }
-        EarnedFor::Quantity(quantity) => match quantity.of_its_impact() {
-            Quantity::Velocity(_, _, axis @ (Axis::N | Axis::T)) => Some(axis),
-            _ => None,
-        },
+        EarnedFor::Quantity(_) | EarnedFor::Both(_) => {
+            let axis = |quantity: &Quantity| match quantity.of_its_impact() {
+                Quantity::Velocity(_, _, axis @ (Axis::N | Axis::T)) => Some(axis),
+                _ => None,
+            };
+            let mut axes = mark.earned_for.quantities().iter().map(axis);
+            let first = axes.next()??;
+            axes.all(|other| other == Some(first)).then_some(first)
+        }
         _ => None,
     }
 }
@@ -127,7 +132,7 @@ mod tests {
     #[test]
     fn the_text_of_a_mark_is_of_the_component_for_which_it_is() {
         let (vectors, wall) = ("i-j/velocities-after-impact", "walls/rebound-speed-and-direction");
-        let table: [(&str, Edits, &str); 6] = [
+        let table: [(&str, Edits, &str); 7] = [
             (vectors, &[], ""),
             (
                 vectors,
@@ -144,6 +149,11 @@ mod tests {
                 "both-moving/components-given",
                 &[("perpendicular to the line of centres unchanged", "along the line of centres unchanged")],
                 "which is of one perpendicular to it",
+            ),
+            (
+                "both-moving/components-given",
+                &[("A.after.n and B.after.n", "A.after.t and B.after.t")],
+                "of a component along the line of centres, and it is for `A.after.t and B.after.t`",
             ),
             ("walls/velocity-in-i-and-j", &[], ""),
         ];

@@ -39,6 +39,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.greater_mass(&sentence, &mut findings);
             seen.order(&sentence, &mut findings);
             seen.speed_of_a_vector(&sentence, &mut findings);
+            seen.velocity_without_direction(&sentence, &mut findings);
             seen.impulses(&sentence, &mut findings);
             seen.meeting_again(&sentence, &mut findings);
             seen.directed(&sentence, &mut findings);

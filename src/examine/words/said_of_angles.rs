@@ -7,7 +7,7 @@ use crate::bank::names_in_degrees;
 use crate::examine::Finding;
 use crate::expr::{Expr, Function, Meaning, Piece, Relation, Turn, holds, print, written_angle};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
-use crate::number::{Angle, Value};
+use crate::number::{Angle, Letter, Value};
 
 impl Seen<'_> {
     /// What is said of the acute angle of a velocity, measured from the line that the words name after it, and what it is.
@@ -41,7 +41,15 @@ impl Seen<'_> {
             let tangent = self.number(&names_in_degrees(&Expr::call(Function::Tan, expr.clone())))?;
             Some(&tangent * &tangent)
         };
-        let all = [by_itself().filter(|_| is_given), self.tangent_said(&letter.text)];
+        // An acute angle that is found has its tangent for a value.
+        let found = || {
+            let its = |(own, _): &&(_, Value)| Letter::name(own) == letter.text;
+            let (_, tangent) = self.variant.solution.found().iter().find(its)?;
+            self.question.scene.symbols.get(&letter.text).filter(|range| *range == "acute")?;
+            Some(tangent * tangent)
+        };
+        let is_before = moment == Moment::Before;
+        let all = [by_itself().filter(|_| is_given), self.tangent_said(&letter.text), found().filter(|_| is_before)];
         let said: Vec<Value> = all.into_iter().flatten().collect();
         if said.is_empty() || said.iter().any(is_so) {
             return None;

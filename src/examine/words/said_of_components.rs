@@ -21,6 +21,12 @@ impl Seen<'_> {
             let (true, Some(sphere), Some(axis)) = (is_component, owner, along_which(&sentence[place + 1..])) else {
                 continue;
             };
+            let towards = sentence[place..].windows(2).find(|pair| is_one_of(&pair[0], &["towards"]));
+            if towards.is_some_and(|pair| pair[1] == Token::Sphere(sphere)) && axis == Axis::N {
+                let name = sphere.name();
+                let message = format!("the words have `*{name}*` move towards itself");
+                findings.push(self.finding(message, &format!("towards *{name}*"), "name the other sphere"));
+            }
             let scene = self.known.number(Quantity::Velocity(sphere, Moment::Before, axis));
             let (Some(said), Some(has)) = (self.number(expr), scene) else { continue };
             if !(&said * &said).equals(&(&has * &has)) && self.question.scene.then.is_empty() {

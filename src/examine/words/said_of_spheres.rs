@@ -10,6 +10,7 @@ use crate::expr::{Angles, Meaning, print, read};
 use crate::generate::Variant;
 use crate::mechanics::{Meeting, Quantity, Sphere};
 use crate::number::{Demand, Value, solve_inequalities};
+use crate::unit::Unit;
 
 impl Seen<'_> {
     /// Masses that are said to be equal, of the spheres that the sentence names or of all.
@@ -73,6 +74,40 @@ impl Seen<'_> {
                 };
                 let message = format!("the words call the vector `{}` a {called}", print::plain(expr));
                 findings.push(self.finding(message, lead, help));
+            }
+        }
+    }
+
+    /// `Its velocity is {v m/s}` in a plane: a number is a speed, unless a direction is said.
+    pub(super) fn velocity_without_direction(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const WAYS: [&str; 14] = [
+            "direction",
+            "along",
+            "towards",
+            "parallel",
+            "perpendicular",
+            "angle",
+            "angles",
+            "away",
+            "from",
+            "line",
+            "north",
+            "south",
+            "east",
+            "west",
+        ];
+        if self.question.scene.is_in_one_line() || says(sentence, &WAYS) || !says(sentence, &["velocity"]) {
+            return;
+        }
+        // `Its velocity after the impulse is`
+        let sentence: Sentence = sentence.iter().filter(|token| !is_one_of(token, &["impulse"])).cloned().collect();
+        for (place, token) in sentence.iter().enumerate() {
+            let Token::Number(expr, Unit::MetrePerSecond, lead) = token else { continue };
+            let is_velocity = matches!(noun_of(&sentence, place), Some((_, Noun::Velocity, false)));
+            if is_velocity && matches!(self.meaning(expr), Some(Meaning::Number(_))) {
+                let message = format!("the words call `{}` a velocity, and it has no direction", print::plain(expr));
+                let help = "write `speed`, or give the velocity as a vector";
+                findings.push(self.finding(message, lead, help).as_warning());
             }
         }
     }

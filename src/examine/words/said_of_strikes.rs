@@ -15,11 +15,11 @@ const STRIKES: [&str; 3] = ["strikes", "hits", "meets"];
 impl Seen<'_> {
     /// `*A* is struck by *B*` or `*B* strikes *A*`, where *B* is at rest until the first collision, which is theirs.
     pub(super) fn striking(&self, sentence: &Sentence, is_struck: bool, findings: &mut Vec<Finding>) {
-        if is_struck || says(sentence, &["not", "no", "never", "again"]) {
+        if says(sentence, &["not", "no", "never", "again"]) {
             return;
         }
-        // Of what comes after the first impact nothing is known here.
-        let Some(at) = sentence.iter().position(|token| is_one_of(token, &STRUCK)) else { return };
+        let is_struck_word = |token: &Token| is_one_of(token, &STRUCK) && !is_one_of(token, &["then"]);
+        let Some(at) = sentence.iter().position(is_struck_word) else { return };
         let said = match &sentence[at..] {
             [struck, by, Token::Sphere(striker), ..]
                 if is_one_of(struck, &["struck", "hit"]) && is_one_of(by, &["by"]) =>
@@ -32,8 +32,13 @@ impl Seen<'_> {
             _ => None,
         };
         let Some((striker, at)) = said else { return };
-        let is_first =
-            impacts(&self.question.scene).first().is_some_and(|first| first.has(striker) && !first.is_of_one());
+        let all = impacts(&self.question.scene);
+        let of_it = |number: usize| all.get(number).filter(|one| one.has(striker) && !one.is_of_one());
+        // After the first impact only who is struck in the next, and never again, is known to be at rest until then.
+        let is_first = match is_struck {
+            false => of_it(0).is_some(),
+            true => of_it(1).is_some() && all.iter().filter(|one| one.has(striker)).count() == 1,
+        };
         if is_first && is_at_rest(self.variant, striker) == Some(true) {
             let name = striker.name();
             let message = format!("the words say that `*{name}*` strikes, and in the scene it is at rest before that");
@@ -88,7 +93,7 @@ mod tests {
         let line = "successive/no-more-collisions";
         let meeting = "After *B* has struck *C*, *A* does not strike *B* again.";
         let directly = "when it strikes *B* directly";
-        let table: [(&str, Edits, &str); 12] = [
+        let table: [(&str, Edits, &str); 14] = [
             (second, &[], ""),
             (
                 second,
@@ -104,6 +109,12 @@ mod tests {
             ),
             (wall, &[("it strikes a smooth", "it strikes head-on a smooth")], "the wall is struck head-on"),
             (line, &[], ""),
+            (
+                line,
+                &[("then *B* strikes *C*", "then *C* strikes *B*")],
+                "`*C*` strikes, and in the scene it is at rest",
+            ),
+            (line, &[("then *B* strikes *C*", "then *C* is struck by *B*")], ""),
             (line, &[(meeting, "There is no third collision.")], ""),
             (line, &[(meeting, "There is a third collision.")], "they do not meet"),
             (line, &[(meeting, "There are exactly two collisions.")], ""),

@@ -195,7 +195,9 @@ fn untold(condition: &str, said: &[Sentence], is_in_a_line: bool) -> Option<Unto
             Some(Untold { what: "the way in which a sphere goes on", example, is_hinted: false })
         }
         ([one, other], _) if along(one) && along(other) => {
-            is_told(!any(&AGAIN))?;
+            // `*B* does not strike *C* again` tells nothing of *A*.
+            let is_theirs = |sentence: &Sentence| may_be_of(sentence, one) && may_be_of(sentence, other);
+            is_told(!said.iter().any(|sentence| says(sentence, &AGAIN) && is_theirs(sentence)))?;
             let example = "*A* and *B* do not collide again.";
             Some(Untold { what: "who meets again, or does not", example, is_hinted: false })
         }
@@ -209,7 +211,7 @@ fn may_be_of(sentence: &[Token], quantity: Option<Quantity>) -> bool {
     let own = quantity.and_then(Quantity::sphere);
     own.is_none_or(names)
         || !Sphere::ALL.into_iter().any(names)
-        || says(sentence, &["both", "each", "they", "spheres", "it", "its", "other"])
+        || says(sentence, &["both", "each", "they", "spheres", "it", "its", "other", "collision", "collisions"])
 }
 
 /// `Is brought to rest`, `stops`, and not `which is at rest`; along a line of centres `moves perpendicular to it` too.
@@ -373,7 +375,7 @@ mod tests {
         let oblique = "ranges/turned-back-by-an-oblique-impact";
         let away = "After the collision the component of the velocity of *A* along the line of centres is directed away from *B*. Find";
         let across = ("conditions      = [\"A.after.n < 0\"]", "conditions = [\"A.after.n = 0\"]");
-        let table: [(&str, Edits, &str); 36] = [
+        let table: [(&str, Edits, &str); 37] = [
             (oblique, &[across, single, (away, "*A* then moves along the common tangent. Find")], ""),
             (oblique, &[across, single, (away, "Its new path makes {90 deg} with the line of centres. Find")], ""),
             (oblique, &[across, single, (away, "Find")], "a sphere that goes on perpendicular to the line of centres"),
@@ -418,6 +420,7 @@ mod tests {
             ),
             (line, &[], ""),
             (line, &[("After *B* has struck *C*, *A* does not strike *B* again. Find", "Find")], "who meets again"),
+            (line, &[("*A* does not strike *B* again", "*B* does not strike *C* again")], "who meets again"),
             (
                 line,
                 &[(
