@@ -72,7 +72,10 @@ impl Finding {
         // A number may stand in the file in another form than it is told in.
         let before_number =
             || place(text, self.at.rsplit_once('{').map(|(before, _)| before).filter(|at| !at.trim().is_empty())?);
-        let words = || place(text, &self.at).or_else(|| place(text, &begun(&self.at)));
+        let words = || {
+            let both = [self.at.clone(), begun(&self.at)];
+            both.iter().filter_map(|at| place(text, at)).min_by_key(|place| remote(text, place))
+        };
         let found = asked("").or_else(|| asked("[")).or_else(words).or_else(before_number);
         let found = found.map(|place| within.start + place.start..within.start + place.end);
         let found = found.or(self.within.clone());
@@ -118,13 +121,14 @@ fn place(text: &str, words: &str) -> Option<Range<usize>> {
         }
         Some(start..end)
     };
-    let is_after = |start: &str, place: &Range<usize>| {
-        let line = text[..place.start].rfind('\n').map_or(0, |end| end + 1);
-        text[line..].trim_start().starts_with(start)
-    };
-    let places: Vec<Range<usize>> = text.match_indices(first).filter_map(found).collect();
-    let remote = |place: &&Range<usize>| (is_after("#", place), is_after("title", place));
-    places.iter().min_by_key(remote).cloned()
+    text.match_indices(first).filter_map(found).min_by_key(|place| remote(text, place))
+}
+
+/// Is it in a comment? Is it in the title?
+fn remote(text: &str, place: &Range<usize>) -> (bool, bool) {
+    let line = text[..place.start].rfind('\n').map_or(0, |end| end + 1);
+    let is_after = |start: &str| text[line..].trim_start().starts_with(start);
+    (is_after("#"), is_after("title"))
 }
 
 #[cfg(test)]
@@ -153,6 +157,9 @@ mod tests {
         assert!(line("through a right").contains("q.toml:2:26"), "{}", line("through a right"));
         assert!(line("the sphere").contains("q.toml:2:9"), "{}", line("the sphere"));
         assert!(line("Turned").contains("q.toml:1:10"), "{}", line("Turned"));
+        let source = Source::new("q.toml", "# B is the heavier.\nstem = \"The heavier is *A*.\"\n");
+        let found = Finding::new("it", "the heavier", "here").diagnostic("q", &source).to_string();
+        assert!(found.contains("q.toml:2:9"), "{found}");
     }
 
     #[test]

@@ -80,7 +80,7 @@ impl Seen<'_> {
 
     /// `Its velocity is {v m/s}` in a plane: a number is a speed, unless a direction is said.
     pub(super) fn velocity_without_direction(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        const WAYS: [&str; 14] = [
+        const WAYS: [&str; 16] = [
             "direction",
             "along",
             "towards",
@@ -95,6 +95,8 @@ impl Seen<'_> {
             "south",
             "east",
             "west",
+            "magnitude",
+            "size",
         ];
         if self.question.scene.is_in_one_line() || says(sentence, &WAYS) || !says(sentence, &["velocity"]) {
             return;

@@ -617,6 +617,12 @@ fn how_spheres_move_afterwards_and_what_they_have_beside_each_other_is_so() {
             "{theta} with the common tangent",
             "give `*A*` the angle `theta`",
         ),
+        (
+            "vector-impulse/mass-from-the-speed-after",
+            "Its speed immediately after",
+            "The magnitude of its velocity immediately after",
+            "",
+        ),
         ("both-moving/components-given", "towards *B*, and", "towards *A*, and", "have `*A*` move towards itself"),
         (
             "vector-impulse/mass-from-the-speed-after",

@@ -275,7 +275,7 @@ const WAYS: [&str; 19] = [
 ];
 
 /// Words of spheres that meet again, or never do, and of those that are faster than others.
-const AGAIN: [&str; 14] = [
+const AGAIN: [&str; 15] = [
     "again",
     "another",
     "third",
@@ -287,6 +287,7 @@ const AGAIN: [&str; 14] = [
     "subsequently",
     "catches",
     "catch",
+    "once",
     "overtakes",
     "faster",
     "slower",
@@ -375,7 +376,7 @@ mod tests {
         let oblique = "ranges/turned-back-by-an-oblique-impact";
         let away = "After the collision the component of the velocity of *A* along the line of centres is directed away from *B*. Find";
         let across = ("conditions      = [\"A.after.n < 0\"]", "conditions = [\"A.after.n = 0\"]");
-        let table: [(&str, Edits, &str); 37] = [
+        let table: [(&str, Edits, &str); 38] = [
             (oblique, &[across, single, (away, "*A* then moves along the common tangent. Find")], ""),
             (oblique, &[across, single, (away, "Its new path makes {90 deg} with the line of centres. Find")], ""),
             (oblique, &[across, single, (away, "Find")], "a sphere that goes on perpendicular to the line of centres"),
@@ -420,6 +421,7 @@ mod tests {
             ),
             (line, &[], ""),
             (line, &[("After *B* has struck *C*, *A* does not strike *B* again. Find", "Find")], "who meets again"),
+            (line, &[("*A* does not strike *B* again", "*A* and *B* collide only once")], ""),
             (line, &[("*A* does not strike *B* again", "*B* does not strike *C* again")], "who meets again"),
             (
                 line,
