@@ -153,7 +153,9 @@ fn exerts_on_itself(sentence: &Sentence) -> Option<Sphere> {
         {
             own(one, other)
         }
-        [on, Token::Sphere(one), by, Token::Sphere(other)] if is_one_of(on, &["on"]) && is_one_of(by, &["by"]) => {
+        [on, Token::Sphere(one), by, Token::Sphere(other)] | [by, Token::Sphere(one), on, Token::Sphere(other)]
+            if is_one_of(on, &["on"]) && is_one_of(by, &["by"]) =>
+        {
             own(one, other)
         }
         _ => None,
@@ -243,8 +245,9 @@ mod tests {
         let onto = "successive/struck-onto-a-wall";
         let both = "both-moving/energy-lost-and-impulse";
         let after = ("rest/speeds-and-directions", "Immediately before the collision");
-        let table: [(&str, Edits, &str); 26] = [
+        let table: [(&str, Edits, &str); 27] = [
             (line, &[], ""),
+            (line, &[("that *B* exerts on *C*", "exerted by *C* on *C*")], "have `*C*` exert an impulse on itself"),
             (line, &[("that *B* exerts on *C*", "that *C* exerts on *C*")], "have `*C*` exert an impulse on itself"),
             (
                 both,

@@ -1,5 +1,6 @@
 //! From which line the words measure an angle that is to be found, and from which the answer is measured.
 
+use super::impacts::{wall_measured_from, wall_of};
 use super::sentence::{Noun, Sentence, Token, is_one_of, measured_from, noun_of, sentences};
 use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
@@ -31,8 +32,39 @@ pub fn from_another_line(question: &Question) -> Vec<Finding> {
             findings.push(found.at_row(place, "answers", row));
         }
         findings.extend(from_another_vector(place, part));
+        findings.extend(from_another_wall(question, place, part));
     }
     findings
+}
+
+/// Angles with a wall for which the words name another wall.
+fn from_another_wall(question: &Question, place: usize, part: &Part) -> Option<Finding> {
+    let scene = &question.scene;
+    let wall_of_answer = |answer: &Answer| match &answer.find {
+        Find::Quantity(quantity) => match quantity.of_its_impact() {
+            Quantity::AngleToWall(..) | Quantity::TanToWall(..) => Some(quantity.impact()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut own = part.answers.iter().enumerate().filter_map(|(row, answer)| Some((row, wall_of_answer(answer)?)));
+    let (Some((row, wall)), None) = (own.next(), own.next()) else { return None };
+    let answer = &part.answers[row];
+    let in_answer = [&answer.phrase, &answer.name].into_iter().flat_map(sentences);
+    let in_answer = in_answer.into_iter().find_map(|sentence| wall_measured_from(scene, &sentence));
+    let in_part = || {
+        part.ask.iter().flat_map(sentences).find_map(|sentence| {
+            let angle = sentence.iter().position(|token| is_one_of(token, &["angle"]))?;
+            wall_measured_from(scene, &sentence[angle..])
+        })
+    };
+    // Walls that are parallel make one angle with a path.
+    let is_other = |said: &u8| wall_of(scene, *said) != wall_of(scene, wall);
+    in_answer.filter(is_other).or_else(|| in_part().filter(is_other))?;
+    let message =
+        format!("the words measure `{}` from another wall than it is found with", print::text_unicode(&answer.name));
+    let help = "name the wall of the impact of which it is found, or find it of the other";
+    Some(Finding::new(message, "", "of another wall").with_help(help).at_row(place, "answers", row))
 }
 
 /// Angles with **i** for which the words name **j** alone.
@@ -129,7 +161,16 @@ mod tests {
         let wall = "walls/rebound-speed-and-direction";
         let vector = "vector-impulse/impulse-from-two-velocities";
         let (rest, letters) = ("rest/speeds-and-directions", "rest-letters/direction-and-deflection");
-        let table: [(&str, Edits, &str); 13] = [
+        let corner = "successive/tangents-at-two-walls";
+        let ask = "Find {tan(beta)} in terms of the letters given.";
+        let table: [(&str, Edits, &str); 16] = [
+            (corner, &[], ""),
+            (corner, &[(ask, "Find the tangent of the angle between its path and the first wall.")], ""),
+            (
+                corner,
+                &[(ask, "Find the tangent of the angle between its path and the second wall.")],
+                "measure `tan β` from another wall",
+            ),
             (
                 wall,
                 &[("phrase = \"with the wall\"", "phrase = \"with the normal to the wall\"")],
