@@ -88,7 +88,7 @@ fn carom_knows_quarters_of_a_degree_and_the_degrees_beside_a_letter() {
         "before": { "A": { "speed": "4", "angle_deg": "60" }, "B": { "speed": "4", "angle_deg": "202.5" } }
     });
     let exact = |scene: &Json, name: &str| print::plain(&solved(scene).exact(name.parse().unwrap()).unwrap());
-    assert_eq!(exact(&scene, "alpha_deg"), "165/4");
+    assert_eq!(exact(&scene, "alpha_deg"), "(165/4)*deg");
     let scene = |angle: &str| {
         json!({
             "masses": { "A": "2", "B": "3" }, "line_of_centres": ["1", "0"], "e": "1/2", "symbols": { "alpha": "acute" },
