@@ -39,14 +39,17 @@ pub enum End {
 impl<'q> Deal<'q> {
     /// Begins a deal.
     pub fn new(question: &'q Question, style: &'q Style, seed: u64) -> Deal<'q> {
-        let order = Shuffle::new(style.size(), seed, &question.id, style.name.name());
-        Deal { sieve: Sieve::new(question, style), order, fit: None, examined: 0, dealt: 0, end: None }
+        Deal::by(Sieve::new(question, style), seed, None)
     }
 
     /// The same deal where it is known which sets of numbers are fit: no other is solved.
     pub fn knowing(question: &'q Question, style: &'q Style, seed: u64, fit: impl Iterator<Item = u64>) -> Deal<'q> {
-        let sieve = Sieve::for_one(question, style);
-        Deal { sieve, fit: Some(fit.collect()), ..Deal::new(question, style, seed) }
+        Deal::by(Sieve::for_one(question, style), seed, Some(fit.collect()))
+    }
+
+    fn by(sieve: Sieve<'q>, seed: u64, fit: Option<HashSet<u64>>) -> Deal<'q> {
+        let order = Shuffle::new(sieve.style.size(), seed, &sieve.question.id, sieve.style.name.name());
+        Deal { sieve, order, fit, examined: 0, dealt: 0, end: None }
     }
 
     /// How many sets of numbers have been examined so far.
