@@ -13,6 +13,7 @@ mod coverage;
 mod finding;
 mod glance;
 mod neighbours;
+mod processors;
 mod promise;
 mod remark;
 mod report;

@@ -1,12 +1,10 @@
 //! Questions examined, every set of numbers of every style, on all processors.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use super::coverage::{Coverage, Fault as CoverageFault, MarkCount, coverage};
 use super::finding::Finding;
+use super::processors::on_all_processors;
 use super::remark::numbers;
 use super::report::{Report, StyleReport};
 use super::shows;
@@ -103,31 +101,6 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(Step) + Sync)) -> Vec<
     }
     let exercises = scheme::exercises();
     questions.iter().zip(total).map(|(question, done)| done.report(question, &exercises)).collect()
-}
-
-/// Does all pieces of some work on all processors; what each of them has done.
-fn on_all_processors<P: Sync, D: Send>(
-    pieces: &[P],
-    empty: &(dyn Fn() -> D + Sync),
-    work: &(dyn Fn(&mut D, &P) + Sync),
-) -> Vec<D> {
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let mut done = empty();
-        while let Some(piece) = pieces.get(next.fetch_add(1, Ordering::Relaxed)) {
-            work(&mut done, piece);
-        }
-        done
-    };
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
-        // A panic in a worker is a bug in carom and is passed on as it is.
-        let join = |worker: thread::ScopedJoinHandle<D>| {
-            worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        workers.into_iter().map(join).collect()
-    })
 }
 
 /// The styles of all questions, those together that are solved together.
