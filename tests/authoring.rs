@@ -312,24 +312,27 @@ fn every_schema_that_is_kept_is_printed() {
 /// are no TOML at all are seen by any editor.
 const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for-what-is-given brace-never-closed
-brace-of-the-line-before components-exchanged components-of-two-spheres condition-as-a-sentence condition-misspelt
-condition-on-what-is-given condition-without-equation condition-without-unknown chain-of-inequalities-in-words crlf depends-on-nothing derived-beside-parameter
-derived-from-each-other derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer
-formulas-that-cannot-be-read fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there
-impossible-restitution impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
-later-newcomer-without-velocity later-not-neighbours later-struck-by-nobody later-velocity-in-a-plane later-wall-along-the-line
-later-without-e law-with-a-number left-side-shown-alone letter-called-as-a-unit letter-nowhere-declared letter-that-is-no-unknown
-letter-that-is-not-declared letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought measure-never-closed
-method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end open-without-a-mass open-without-b-before
-parameter-and-letter parameter-in-another-case radius-of-nought range-in-words range-with-a-dash reference-lacks-parameter
-requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things
-requirement-twice requirement-without-truth requirements-of-both restitution-above-one restitution-nowhere-declared
-result-in-stem result-without-show reversed-range second-component-tested several-values-in-one-text shown-is-an-equation shown-is-not-found
-shown-letter-given shown-letter-undeclared shown-without-a-result shown-without-a-star sine-shown-for-a-tangent
-star-where-nothing-is-shown style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined unit-in-a-value
-unit-misspelt unit-of-a-force unit-of-grams unit-per-hour unit-with-a-power unit-without-a-space unknown-letter-misspelt
-unknown-name unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter value-from-parameter
-value-left-empty value-twice-in-other-words value-without-value velocity-along-a-line-in-a-plane velocity-in-words wrong-kind
+brace-of-the-line-before chain-of-inequalities-in-words components-exchanged components-of-two-spheres
+condition-as-a-sentence condition-misspelt condition-on-what-is-given condition-without-equation
+condition-without-unknown crlf depends-on-nothing derived-beside-parameter derived-from-each-other
+derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer formulas-that-cannot-be-read
+fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there impossible-restitution
+impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
+later-newcomer-without-velocity later-not-neighbours later-struck-by-nobody later-velocity-in-a-plane
+later-wall-along-the-line later-without-e law-with-a-number left-side-shown-alone letter-called-as-a-unit
+letter-nowhere-declared letter-that-is-no-unknown letter-that-is-not-declared letters-beyond-ascii long-line
+mass-of-b-beside-a-wall mass-of-nought measure-never-closed method-on-accuracy no-relation not-equal-misspelt
+numbers-squared-without-end open-without-a-mass open-without-b-before parameter-and-letter parameter-in-another-case
+radius-of-nought range-in-words range-with-a-dash reference-lacks-parameter requirement-as-a-sentence
+requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things requirement-twice
+requirement-without-truth requirements-of-both restitution-above-one restitution-nowhere-declared result-in-stem
+result-without-show reversed-range second-component-tested several-values-in-one-text shown-is-an-equation
+shown-is-not-found shown-letter-given shown-letter-undeclared shown-without-a-result shown-without-a-star
+sine-shown-for-a-tangent star-where-nothing-is-shown style-lacks-parameter tabs three-dots two-answers-of-one-name
+underdetermined unit-in-a-value unit-misspelt unit-of-a-force unit-of-grams unit-per-hour unit-with-a-power
+unit-without-a-space unknown-letter-misspelt unknown-name unknown-quantity-required unknown-that-is-given
+unreadable-formula unused-parameter value-from-parameter value-left-empty value-twice-in-other-words
+value-without-value velocity-along-a-line-in-a-plane velocity-in-words wrong-kind
 ";
 
 /// Files, each with its contents as JSON, judged by Python's jsonschema: the names of those that are not valid.
