@@ -13,7 +13,6 @@ mod coverage;
 mod finding;
 mod glance;
 mod neighbours;
-mod processors;
 mod promise;
 mod remark;
 mod report;

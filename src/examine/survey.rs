@@ -1,10 +1,10 @@
 //! Questions examined, every set of numbers of every style, on all processors.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use super::coverage::{Coverage, Fault as CoverageFault, MarkCount, coverage};
 use super::finding::Finding;
-use super::processors::on_all_processors;
 use super::remark::numbers;
 use super::report::{Report, StyleReport};
 use super::shows;
@@ -12,7 +12,9 @@ use super::tally::Tally;
 use super::{again, author, scheme, suggested, words};
 use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;
-use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, reference};
+use crate::generate::{
+    Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, on_all_processors, out_of, portions, reference,
+};
 
 /// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
 /// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
@@ -22,21 +24,16 @@ pub const MARKED: usize = 3;
 /// In how many variants of each style what the words say is compared with the scene.
 const HEARD: usize = 12;
 
-/// How many sets of numbers a thread takes at a time.
-const PORTION: u64 = 64;
-
 /// So many sets of numbers are tried to see which requirements exclude each other.
 const MOST_TRIED: u64 = 20_000;
 
 /// A style and which of its variants; none for the reference numbers.
 type Dealt = Option<(usize, usize)>;
 
-/// Sets of numbers of some styles that have the same, from one index up to another: a piece of the work, done by one thread.
-#[derive(Clone, Copy)]
+/// Sets of numbers of some styles that have the same, by their indices: a piece of the work, done by one thread.
 struct Sets {
     family: usize,
-    from: u64,
-    to: u64,
+    indices: Range<u64>,
 }
 
 /// Styles of a question whose sets of numbers are the same: each set is solved once for all of them.
@@ -68,15 +65,15 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(Step) + Sync)) -> Vec<
     let families = families(questions);
     let empty = || -> Vec<Done> { questions.iter().map(|question| Done::new(question)).collect() };
     let mut total = empty();
-    let examine = |done: &mut Vec<Done>, Sets { family, from, to }: &Sets| {
+    let examine = |done: &mut Vec<Done>, Sets { family, indices }: &Sets| {
         let Family { question, sieves } = &families[*family];
-        for index in *from..*to {
+        for index in indices.clone() {
             let numbers = Numbers::new(&sieves[0].1, index);
             for (style, sieve) in sieves {
                 done[*question].tallies[*style].examine(sieve, &numbers);
             }
         }
-        progress(Step::Sets((to - from) * sieves.len() as u64));
+        progress(Step::Sets((indices.end - indices.start) * sieves.len() as u64));
     };
     for done in on_all_processors(&sets(&families), &empty, &examine) {
         total.iter_mut().zip(done).for_each(|(total, done)| total.add(done));
@@ -121,17 +118,10 @@ fn families<'q>(questions: &[&'q Question]) -> Vec<Family<'q>> {
 
 /// The sets of numbers of all styles, in portions.
 fn sets(families: &[Family]) -> Vec<Sets> {
-    let mut pieces = Vec::new();
-    for (place, family) in families.iter().enumerate() {
-        let size = family.sieves[0].1.style.size().min(MOST_SETS);
-        let mut from = 0;
-        while from < size {
-            let to = size.min(from.saturating_add(PORTION));
-            pieces.push(Sets { family: place, from, to });
-            from = to;
-        }
-    }
-    pieces
+    let of_one = |(family, of): (usize, &Family)| {
+        portions(of.sieves[0].1.style.size()).map(move |indices| Sets { family, indices })
+    };
+    families.iter().enumerate().flat_map(of_one).collect()
 }
 
 /// Of each question the styles whose variants are looked at one by one, and the reference numbers.

@@ -1,12 +1,11 @@
 //! All sets of numbers of a style examined, and how many each requirement turns away.
 
 use std::collections::BTreeMap;
-use std::num::NonZero;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
+use std::ops::Range;
 
 use super::form::Form;
 use super::numbers::{Further, Numbers};
+use super::processors::on_all_processors;
 use super::sieve::Sieve;
 use super::variant::{Unfit, Variant};
 use crate::bank::{Question, Style};
@@ -177,6 +176,12 @@ fn in_words(reason: &Unfit, question: &Question, style: &Style) -> String {
 /// How many sets a thread takes at a time.
 const PORTION: u64 = 64;
 
+/// The indices of a style with so many sets, or of the first [`MOST_SETS`], in portions each of which one thread examines.
+pub fn portions(size: u64) -> impl Iterator<Item = Range<u64>> {
+    let most = size.min(MOST_SETS);
+    (0..most.div_ceil(PORTION)).map(move |nth| nth * PORTION..most.min((nth + 1) * PORTION))
+}
+
 /// Examines every set of numbers of a style, or the first [`MOST_SETS`], on all processors.
 ///
 /// `visit` sees every variant that is fit, in no particular order, and `progress` is told now and then how many
@@ -188,30 +193,15 @@ pub fn enumerate(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Census {
     let size = style.size();
-    let most = size.min(MOST_SETS);
-    let next = AtomicU64::new(0);
     let sieve = Sieve::new(question, style);
-    let worker = || {
-        let mut census = Census::new(size);
-        loop {
-            let from = next.fetch_add(PORTION, Ordering::Relaxed);
-            if from >= most {
-                return census;
-            }
-            for index in from..most.min(from.saturating_add(PORTION)) {
-                census.examine(&sieve, &Numbers::new(&sieve, index)).into_iter().for_each(visit);
-            }
-            progress(most.min(from.saturating_add(PORTION)));
+    let examine = |census: &mut Census, indices: &Range<u64>| {
+        for index in indices.clone() {
+            census.examine(&sieve, &Numbers::new(&sieve, index)).into_iter().for_each(visit);
         }
+        progress(indices.end);
     };
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    let all: Vec<Range<u64>> = portions(size).collect();
     let mut total = Census::new(size);
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
-        for worker in workers {
-            // A panic in a worker is a bug in carom and is passed on as it is.
-            total.add(worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        }
-    });
+    on_all_processors(&all, &|| Census::new(size), &examine).into_iter().for_each(|census| total.add(census));
     total
 }

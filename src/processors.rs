@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 /// Does all pieces of some work on all processors; what each processor has done.
-pub(super) fn on_all_processors<P: Sync, D: Send>(
+pub(crate) fn on_all_processors<P: Sync, D: Send>(
     pieces: &[P],
     empty: &(dyn Fn() -> D + Sync),
     work: &(dyn Fn(&mut D, &P) + Sync),
