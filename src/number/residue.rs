@@ -14,9 +14,10 @@ use super::{Fraction, Letter, Polynomial, Range};
 /// is a square modulo it.
 pub(super) const PRIME: u64 = 2_147_366_399;
 
-/// So many choices of numbers and roots are tried: of values that are no squares one in sixteen passes, and what is a square
-/// with other roots, as 2 + √3 is of (√6 + √2)/2.
-const TRIALS: u64 = 4;
+/// So many choices of numbers and roots are tried: of values that are no squares one in a thousand passes, and what is a
+/// square with other roots, as 2 + √3 is of (√6 + √2)/2. Most are known by the first or the second; to
+/// find that one which passes all is none costs as much as a hundred.
+const TRIALS: u64 = 10;
 
 /// Is the value proved not to be the square of a value in its own roots and some of those given? Nested roots prove nothing.
 pub(super) fn is_no_square(value: &Value, roots: &[Root]) -> bool {
