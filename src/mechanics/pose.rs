@@ -6,10 +6,9 @@ use std::cmp::Ordering;
 use super::later::{Meeting, row};
 use super::law::{Datum, Known};
 use super::refusal::Refusal;
-use super::scene::{Contact, Given, Scene, Then, Velocity};
+use super::scene::{Contact, Scene, Then, Velocity};
 use super::setting::Setting;
 use super::{Axis, Derivation, Moment, Quantity, Sphere};
-use crate::expr::written;
 use crate::number::Value;
 
 /// The quantities that a scene gives, of all its impacts.
@@ -18,7 +17,7 @@ use crate::number::Value;
 ///
 /// Spheres that do not approach, that miss each other, or that overlap from the start.
 pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
-    let mut known = one(scene)?;
+    let mut known = one(scene, &Carried::default())?;
     if scene.setting == Setting::Direct && !scene.then.is_empty() {
         put(&mut known, Quantity::InALine, &Value::ONE);
     }
@@ -31,29 +30,32 @@ pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
     Ok(known)
 }
 
+/// The components along i and j that spheres have kept from an earlier impact.
+type Carried = [Option<(Value, Value)>; 2];
+
 /// Adds what a later impact gives. Which way its line of centres points depends on the velocities that the earlier ones
 /// left, so these are derived for that; they are known only by being carried over.
 fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), Refusal> {
     let meeting = then.meeting;
     let mut derived = known.clone();
-    let mut scene = then.scene.clone();
-    let carried: Vec<Sphere> = Sphere::BOTH.into_iter().filter(|part| scene.before[*part as usize].is_none()).collect();
-    for part in &carried {
-        let sphere = meeting.sphere(*part);
+    let scene = &then.scene;
+    let is_carried = |part: &Sphere| scene.before[*part as usize].is_none();
+    let mut carried = Carried::default();
+    for part in Sphere::BOTH.into_iter().filter(is_carried) {
+        let sphere = meeting.sphere(part);
         let Some(last) = meeting.last_of(sphere, &Meeting::said(known.0.keys())) else { continue };
-        let there = last.part(sphere).unwrap_or(*part);
+        let there = last.part(sphere).unwrap_or(part);
         let left = [Axis::X, Axis::Y].map(|axis| last.quantity(Quantity::Velocity(there, Moment::After, axis)));
         Derivation::carry_out(&mut derived, &left);
-        let given = |value: Value| Given { shown: written(&value), value };
-        let left = derived.numbers(left).map(|[x, y]| Velocity::Components(given(x), given(y)));
-        scene.before[*part as usize] = left;
+        carried[part as usize] = derived.numbers(left).map(|[x, y]| (x, y));
     }
-    let mut here = one(&scene)?;
+    let mut here = one(scene, &carried)?;
     if in_a_line && scene.setting == Setting::Wall {
-        reaches_the_wall(&scene, meeting, &Meeting::all(known.0.keys()))?;
+        let along = velocity_before(scene, &carried, Sphere::A).map(|(along, _)| along);
+        reaches_the_wall(along, meeting, &Meeting::all(known.0.keys()))?;
         along_one_line(&mut here);
     }
-    for part in carried {
+    for part in Sphere::BOTH.into_iter().filter(is_carried) {
         for axis in [Axis::X, Axis::Y, Axis::N] {
             here.0.remove(&Quantity::Velocity(part, Moment::Before, axis));
         }
@@ -64,9 +66,9 @@ fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), R
 }
 
 /// On one line a sphere strikes a wall only if no other lies between.
-fn reaches_the_wall(scene: &Scene, meeting: Meeting, before: &[Meeting]) -> Result<(), Refusal> {
+fn reaches_the_wall(along: Option<Value>, meeting: Meeting, before: &[Meeting]) -> Result<(), Refusal> {
     let row = row(before);
-    let way = scene.before[0].as_ref().and_then(|velocity| components(velocity).0.sign());
+    let way = along.and_then(|velocity| velocity.sign());
     let place = row.iter().position(|sphere| *sphere == meeting.of[0]);
     let between = match (way, place) {
         (Some(Ordering::Greater), Some(place)) => row.get(place + 1),
@@ -89,8 +91,8 @@ fn reaches_the_wall(scene: &Scene, meeting: Meeting, before: &[Meeting]) -> Resu
 /// Nearly always an impact gives no more quantities than these.
 const MOST_GIVEN: usize = 16;
 
-/// The quantities that one impact gives.
-fn one(scene: &Scene) -> Result<Known<Value>, Refusal> {
+/// The quantities that one impact gives, and the velocities that are kept from an earlier one.
+fn one(scene: &Scene, carried: &Carried) -> Result<Known<Value>, Refusal> {
     let mut known = Known::default();
     known.0.reserve(MOST_GIVEN);
     for sphere in Sphere::BOTH {
@@ -126,9 +128,15 @@ fn one(scene: &Scene) -> Result<Known<Value>, Refusal> {
             }
         }
     }
-    contact(scene, &mut known)?;
+    for (sphere, velocity) in Sphere::BOTH.into_iter().zip(carried) {
+        for (axis, component) in [Axis::X, Axis::Y].into_iter().zip(velocity.iter().flat_map(|(x, y)| [x, y])) {
+            put(&mut known, Quantity::Velocity(sphere, Moment::Before, axis), component);
+        }
+    }
+    contact(scene, carried, &mut known)?;
     of_setting(scene, &mut known);
-    if matches!(scene.contact, Some(Contact::Along(_, _, None))) && scene.before.iter().any(Option::is_none) {
+    let is_open = || scene.before.iter().zip(carried).any(|(given, carried)| given.is_none() && carried.is_none());
+    if matches!(scene.contact, Some(Contact::Along(_, _, None))) && is_open() {
         turn_to_approach(&mut known);
     }
     Ok(known)
@@ -208,14 +216,25 @@ fn components(velocity: &Velocity) -> (Value, Value) {
     }
 }
 
-/// The velocity of A relative to B before the impact.
-pub(super) fn relative(scene: &Scene) -> Option<(Value, Value)> {
-    let [a, b] = [scene.before[0].as_ref()?, scene.before[1].as_ref()?].map(components);
-    Some((&a.0 - &b.0, &a.1 - &b.1))
+/// The components before the impact of a sphere, given or kept from an earlier one.
+fn velocity_before(scene: &Scene, carried: &Carried, sphere: Sphere) -> Option<(Value, Value)> {
+    let given = scene.velocity(sphere, Moment::Before).map(components);
+    given.or_else(|| carried[sphere as usize].clone())
 }
 
-fn contact(scene: &Scene, known: &mut Known<Value>) -> Result<(), Refusal> {
-    let relative = relative(scene);
+/// The velocity of A relative to B before the impact, where both are given.
+pub(super) fn relative(scene: &Scene) -> Option<(Value, Value)> {
+    relative_with(scene, &Carried::default())
+}
+
+fn relative_with(scene: &Scene, carried: &Carried) -> Option<(Value, Value)> {
+    let [a, b] = Sphere::BOTH.map(|sphere| velocity_before(scene, carried, sphere));
+    let ((a_x, a_y), (b_x, b_y)) = (a?, b?);
+    Some((&a_x - &b_x, &a_y - &b_y))
+}
+
+fn contact(scene: &Scene, carried: &Carried, known: &mut Known<Value>) -> Result<(), Refusal> {
+    let relative = relative_with(scene, carried);
     if let Some((x, y)) = &relative
         && x.is_zero()
         && y.is_zero()

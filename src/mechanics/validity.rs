@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 
 use super::later::Meeting;
-use super::law::{ALONG, Known, MASSES, Rule, all_rules};
+use super::law::{ALONG, Here, Known, MASSES, Rule, all_rules};
 use super::refusal::Refusal;
 use super::{Axis, Derivation, Moment, Quantity, Sphere};
 use crate::expr::{print, written};
@@ -27,24 +27,21 @@ pub fn check(known: &Known<Value>) -> Result<Known<Value>, Refusal> {
 ///
 /// The first reason found.
 pub fn check_from(known: &Known<Value>, mut all: Known<Value>) -> Result<Known<Value>, Refusal> {
-    Derivation::carry_out(&mut all, &sides(known));
-    let is_given = |quantity| known.0.contains_key(&quantity);
-    let line_is_given = is_given(Quantity::Line(Axis::X)) || is_given(Quantity::ContactSine);
-    one(&all, is_given(Quantity::Restitution), line_is_given)?;
-    for meeting in Meeting::all(known.0.keys()) {
-        let sides = sides(&meeting.known(known)).into_iter().map(|quantity| meeting.quantity(quantity));
-        let sides: Vec<Quantity> = sides.collect();
-        let mut there = known.clone();
-        Derivation::carry_out_with(&mut there, &all, &sides);
-        let is_given = known.0.contains_key(&meeting.quantity(Quantity::Restitution));
-        one(&meeting.known(&there), is_given, true).map_err(|refusal| refusal.at(meeting))?;
-        there.0.into_pairs().for_each(|(quantity, datum)| all.0.insert_new(quantity, datum));
+    for meeting in [Meeting::FIRST].into_iter().chain(Meeting::all(known.0.keys())) {
+        let given = Here::at(meeting, known);
+        let sides = sides(&given).into_iter().map(|quantity| meeting.quantity(quantity));
+        Derivation::carry_out(&mut all, &sides.collect::<Vec<_>>());
+        // The line of a later impact goes from the one sphere to the other wherever the earlier one has left them.
+        let line_is_given =
+            meeting.number > 0 || given.knows(Quantity::Line(Axis::X)) || given.knows(Quantity::ContactSine);
+        let checked = one(&Here::at(meeting, &all), given.knows(Quantity::Restitution), line_is_given);
+        checked.map_err(|refusal| if meeting.number > 0 { refusal.at(meeting) } else { refusal })?;
     }
     Ok(all)
 }
 
 /// One impact, of which the coefficient of restitution and the line of centres may be given or have come out.
-fn one(known: &Known<Value>, e_is_given: bool, line_is_given: bool) -> Result<(), Refusal> {
+fn one(known: &Here<Value>, e_is_given: bool, line_is_given: bool) -> Result<(), Refusal> {
     impulse_given(known)?;
     masses(known)?;
     approach(known, line_is_given)?;
@@ -52,11 +49,11 @@ fn one(known: &Known<Value>, e_is_given: bool, line_is_given: bool) -> Result<()
     kept(known)
 }
 
-fn is_nought(known: &Known<Value>, quantity: Quantity) -> bool {
+fn is_nought(known: &Here<Value>, quantity: Quantity) -> bool {
     known.number(quantity).is_some_and(|value| value.is_written_zero())
 }
 
-fn sign(known: &Known<Value>, quantity: Quantity) -> Option<Ordering> {
+fn sign(known: &Here<Value>, quantity: Quantity) -> Option<Ordering> {
     known.number(quantity)?.sign()
 }
 
@@ -64,7 +61,7 @@ fn show(value: &Value) -> String {
     print::unicode(&written(value))
 }
 
-fn masses(known: &Known<Value>) -> Result<(), Refusal> {
+fn masses(known: &Here<Value>) -> Result<(), Refusal> {
     for (mass, name) in MASSES.into_iter().zip(["A", "B"]) {
         if sign(known, mass).is_some_and(Ordering::is_le) {
             let value = known.number(mass).map_or(String::new(), |value| show(&value));
@@ -81,10 +78,10 @@ fn masses(known: &Known<Value>) -> Result<(), Refusal> {
 
 /// A sphere whose velocity is given before and after, and is the same, was not struck; and an impulse changes no velocity
 /// against itself.
-fn impulse_given(known: &Known<Value>) -> Result<(), Refusal> {
+fn impulse_given(known: &Here<Value>) -> Result<(), Refusal> {
     for sphere in Sphere::BOTH {
         // A wall has no mass, and stands still.
-        if !known.0.contains_key(&Quantity::Mass(sphere)) && known.0.contains_key(&Quantity::SphereEnergyLost(sphere)) {
+        if !known.knows(Quantity::Mass(sphere)) && known.knows(Quantity::SphereEnergyLost(sphere)) {
             continue;
         }
         if let Some([x, y]) = change(known, sphere)
@@ -108,18 +105,18 @@ fn impulse_given(known: &Known<Value>) -> Result<(), Refusal> {
 }
 
 /// The impulse as it is given, along i and j.
-fn given_impulse(known: &Known<Value>) -> Option<[Value; 2]> {
+fn given_impulse(known: &Here<Value>) -> Option<[Value; 2]> {
     known.numbers([Axis::X, Axis::Y].map(Quantity::GivenImpulse))
 }
 
 /// The change of a sphere's velocity, along i and j.
-fn change(known: &Known<Value>, sphere: Sphere) -> Option<[Value; 2]> {
+fn change(known: &Here<Value>, sphere: Sphere) -> Option<[Value; 2]> {
     let at = |moment, axis| known.number(Quantity::Velocity(sphere, moment, axis));
     let along = |axis| Some(&at(Moment::After, axis)? - &at(Moment::Before, axis)?);
     Some([along(Axis::X)?, along(Axis::Y)?])
 }
 
-fn approach(known: &Known<Value>, line_is_given: bool) -> Result<(), Refusal> {
+fn approach(known: &Here<Value>, line_is_given: bool) -> Result<(), Refusal> {
     let Some(approach) = known.number(Quantity::Approach) else { return Ok(()) };
     match approach.sign() {
         Some(Ordering::Less) => Err(Refusal::impossible(format!(
@@ -138,7 +135,7 @@ fn approach(known: &Known<Value>, line_is_given: bool) -> Result<(), Refusal> {
     }
 }
 
-fn restitution(known: &Known<Value>, e_is_given: bool) -> Result<(), Refusal> {
+fn restitution(known: &Here<Value>, e_is_given: bool) -> Result<(), Refusal> {
     let separation = known.number(Quantity::Separation);
     let e = known.number(Quantity::Restitution);
     if let Some(e) = e.as_ref().filter(|_| e_is_given) {
@@ -182,7 +179,7 @@ fn restitution(known: &Known<Value>, e_is_given: bool) -> Result<(), Refusal> {
 }
 
 /// Where more is given than is needed, the laws must agree with all of it.
-fn kept(derived: &Known<Value>) -> Result<(), Refusal> {
+fn kept(derived: &Here<Value>) -> Result<(), Refusal> {
     match broken(derived).into_iter().next() {
         Some(broken) => Err(Refusal::impossible(broken.reason)),
         None => Ok(()),
@@ -203,8 +200,8 @@ pub struct Broken {
 /// Each law that is not kept.
 pub fn broken_laws(known: &Known<Value>) -> Vec<Broken> {
     let mut all = known.clone();
-    Derivation::carry_out(&mut all, &sides(known));
-    broken(&all)
+    Derivation::carry_out(&mut all, &sides(&Here::at(Meeting::FIRST, known)));
+    broken(&Here::at(Meeting::FIRST, &all))
 }
 
 /// The laws that determine unknowns where more is given than is needed, each as the rule that would find a mass or *e* by it.
@@ -221,7 +218,7 @@ pub fn demanding(unknowns: &[Letter], broken: &[Broken]) -> Vec<&'static Rule> {
 }
 
 /// The same, once everything has been derived. A law that is kept needs no words, and gets none.
-fn broken(known: &Known<Value>) -> Vec<Broken> {
+fn broken(known: &Here<Value>) -> Vec<Broken> {
     let mut broken = Vec::new();
     let mut compare_in = |equation: Option<Quantity>, one: &Value, other: &Value, reason: &dyn Fn() -> String| {
         if one == other {
@@ -299,13 +296,13 @@ fn broken(known: &Known<Value>) -> Vec<Broken> {
 const MOST_SIDES: usize = 18;
 
 /// What the laws speak of.
-fn sides(known: &Known<Value>) -> Vec<Quantity> {
+fn sides(known: &Here<Value>) -> Vec<Quantity> {
     let moments = [Moment::Before, Moment::After];
     let mut asked = Vec::with_capacity(MOST_SIDES);
     asked.extend([Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0]]);
     // Of what stands still before and after, as a wall does, no mass follows; and of masses that are given no ratio is asked.
     let stands_still = || ALONG.into_iter().skip(1).step_by(2).all(|along| is_nought(known, along));
-    if !MASSES.into_iter().all(|mass| known.0.contains_key(&mass)) && !stands_still() {
+    if !MASSES.into_iter().all(|mass| known.knows(mass)) && !stands_still() {
         asked.extend([MASSES[1], Quantity::MassRatio]);
     }
     asked.extend(ALONG);

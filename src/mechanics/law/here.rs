@@ -36,6 +36,11 @@ impl<'k, N: Number> Here<'k, N> {
         self.known.0.get(&self.meeting.quantity(quantity))
     }
 
+    /// Is the quantity known?
+    pub fn knows(&self, quantity: Quantity) -> bool {
+        self.datum(quantity).is_some()
+    }
+
     /// A quantity that is a number.
     #[inline]
     pub fn number(&self, quantity: Quantity) -> Option<N> {
