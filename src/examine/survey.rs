@@ -81,8 +81,12 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(Step) + Sync)) -> Vec<
     // Only then is it known which variants can be dealt.
     let tallies = |question: usize| &total[question].tallies;
     let looked_at = looked_at(questions);
+    let exercises = scheme::exercises();
     let look = |done: &mut Vec<Done>, (question, style): &(usize, Option<usize>)| {
         let of = questions[*question];
+        if style.is_none() {
+            done[*question].itself = Itself::of(of, &exercises);
+        }
         for (dealt, variant) in dealt_variants(of, *style, tallies(*question)) {
             if dealt.is_none_or(|(_, nth)| nth < MARKED) {
                 done[*question].coverage.push((dealt, coverage(of, &variant)));
@@ -96,8 +100,7 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(Step) + Sync)) -> Vec<
     for done in on_all_processors(&looked_at, &empty, &look) {
         total.iter_mut().zip(done).for_each(|(total, done)| total.add(done));
     }
-    let exercises = scheme::exercises();
-    questions.iter().zip(total).map(|(question, done)| done.report(question, &exercises)).collect()
+    questions.iter().zip(total).map(|(question, done)| done.report(question)).collect()
 }
 
 /// The styles of all questions, those together that are solved together.
@@ -147,8 +150,36 @@ fn dealt_variants(question: &Question, style: Option<usize>, tallies: &[Tally]) 
     deal.take(HEARD).enumerate().map(|(nth, variant)| (Some((place, nth)), variant)).collect()
 }
 
+/// What is amiss with a question whatever its numbers are.
+#[derive(Default)]
+struct Itself {
+    findings: Vec<Finding>,
+    /// The rows of marks that nobody can earn.
+    unearnable: Vec<(usize, &'static str, usize)>,
+}
+
+impl Itself {
+    fn of(question: &Question, exercises: &[String]) -> Itself {
+        let mut findings = again::reference_faults(question);
+        findings.extend(author::disagreements(question));
+        findings.extend(words::of_question(question));
+        let unrewarded = scheme::unrewarded(question);
+        let unearnable = unrewarded.iter().filter_map(|found| found.row).collect();
+        findings.extend(unrewarded);
+        findings.extend(scheme::paid_twice(question));
+        findings.extend(scheme::unknown_exercise(question, exercises));
+        Itself { findings, unearnable }
+    }
+
+    fn add(&mut self, other: Itself) {
+        self.findings.extend(other.findings);
+        self.unearnable.extend(other.unearnable);
+    }
+}
+
 /// What has been seen of a question so far.
 struct Done {
+    itself: Itself,
     tallies: Vec<Tally>,
     coverage: Vec<(Dealt, Coverage)>,
     /// What the words say and is not so in the variants that are looked at one by one.
@@ -158,10 +189,11 @@ struct Done {
 impl Done {
     fn new(question: &Question) -> Done {
         let tallies = question.styles.iter().map(|style| Tally::new(style.size()));
-        Done { tallies: tallies.collect(), coverage: Vec::new(), said: Vec::new() }
+        Done { itself: Itself::default(), tallies: tallies.collect(), coverage: Vec::new(), said: Vec::new() }
     }
 
     fn add(&mut self, other: Done) {
+        self.itself.add(other.itself);
         for (own, other) in self.tallies.iter_mut().zip(other.tallies) {
             own.add(other);
         }
@@ -169,15 +201,8 @@ impl Done {
         self.said.extend(other.said);
     }
 
-    fn report(mut self, question: &Question, exercises: &[String]) -> Report {
-        let mut findings = again::reference_faults(question);
-        findings.extend(author::disagreements(question));
-        findings.extend(words::of_question(question));
-        let unrewarded = scheme::unrewarded(question);
-        let unearnable: Vec<_> = unrewarded.iter().filter_map(|found| found.row).collect();
-        findings.extend(unrewarded);
-        findings.extend(scheme::paid_twice(question));
-        findings.extend(scheme::unknown_exercise(question, exercises));
+    fn report(mut self, question: &Question) -> Report {
+        let Itself { mut findings, unearnable } = self.itself;
         self.said.sort_by_key(|(dealt, _)| *dealt);
         let mut said: Vec<Finding> = Vec::new();
         for finding in self.said.into_iter().flat_map(|(_, findings)| findings) {
