@@ -105,6 +105,8 @@ fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Optio
         let moment = match token {
             Token::Word(word) if word == "before" => Moment::Before,
             Token::Word(word) if word == "after" => Moment::After,
+            // What strikes at a speed has it until it strikes.
+            Token::Word(word) if is_at_the_strike(word, &sentence[..place], &sentence[place + 1..]) => Moment::Before,
             _ => return None,
         };
         let rest = sentence[place + 1..].split(|token| *token == Token::Comma).next().unwrap_or_default();
@@ -112,6 +114,18 @@ fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Optio
         Some((!named.is_empty()).then_some((named, moment)))
     };
     sentence.iter().enumerate().filter_map(at).collect()
+}
+
+/// `As it strikes`, `with which *A* hits`: of a speed at the beginning of an impact.
+fn is_at_the_strike(word: &str, before: &[Token], after: &[Token]) -> bool {
+    let leads = match word {
+        "as" => !before.last().is_some_and(|last| is_one_of(last, &["same", "such"])),
+        "which" => before.last().is_some_and(|last| is_one_of(last, &["with", "at"])),
+        _ => false,
+    };
+    let [who, strikes, ..] = after else { return false };
+    let is_who = matches!(who, Token::Sphere(_)) || is_one_of(who, &["it"]);
+    leads && is_who && is_one_of(strikes, &["strikes", "hits", "reaches", "meets"])
 }
 
 /// The impact of a sphere that words name first: with the only wall, with the second, with the sphere that is named.
@@ -174,7 +188,13 @@ mod tests {
         let (second, first) = ("collides with *B* for the second time", "immediately after they first collide");
         let wall_between = ("find = \"third.A.after.speed\"", "find = \"second.B.after.speed\"");
         let again = "of *A* immediately after it collides with *B* for the second time";
-        let table: [(&str, Edits, &str); 19] = [
+        let (rebound, speed) =
+            ("walls/rebound-speed-and-direction", "Find the speed of *A* immediately after the impact");
+        let table: [(&str, Edits, &str); 23] = [
+            (rebound, &[(speed, "Find the speed of *A* as it strikes the wall")], "is found after it"),
+            (rebound, &[(speed, "Find the speed with which *A* strikes the wall")], "is found after it"),
+            (rebound, &[(speed, "Find the speed with which *A* leaves the wall")], ""),
+            (wall, &[(after, "as it strikes the wall")], ""),
             (twice, &[], ""),
             (twice, &[(second, "collides with *B* for the first time")], "is found after a later one"),
             (twice, &[(second, "collides with *B* for the third time")], "is found before it"),

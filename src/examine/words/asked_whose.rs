@@ -1,6 +1,7 @@
 //! Who strikes whom: impacts of which the words speak, and that the scene does not have.
 
 use super::asked_for::whose;
+use super::grammar::body;
 use super::impacts::{Impact, impacts, ordinal};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
@@ -21,7 +22,8 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             let impact = impacts.iter().find(|impact| impact.number == quantity.impact());
             let is_impulse = matches!(quantity.of_its_impact(), Quantity::ImpulseMagnitude | Quantity::Impulse(..));
             let Some(impact) = impact.filter(|_| is_impulse && part.answers.len() == 1) else { continue };
-            if let Some(found) = on_another(&asked, answer).or_else(|| exerted_by_its_own(&asked, answer)) {
+            let found = on_another(&asked, answer).or_else(|| exerted_by_its_own(&asked, answer));
+            if let Some(found) = found.or_else(|| on_what_strikes(question, &asked, answer)) {
                 findings.push(found.at_row(place, "answers", row));
             }
             if let Some(own) = asked.iter().find_map(exerts_on_itself) {
@@ -144,6 +146,42 @@ fn exerted_by_its_own(asked: &[Sentence], answer: &Answer) -> Option<Finding> {
     Some(Finding::new(message, "", format!("on {own}")).with_help(help))
 }
 
+/// `The impulse on the stick`, where the stem lets a stick strike *A* and the vector that is found is the one on *A*.
+fn on_what_strikes(question: &Question, asked: &[Sentence], answer: &Answer) -> Option<Finding> {
+    let Find::Vector(component, _) = answer.find else { return None };
+    let Quantity::Impulse(own, _) = component.of_its_impact() else { return None };
+    let struck_by = |sentence: &Sentence| {
+        let pairs = sentence.windows(3).filter_map(|words| match words {
+            [by, article, Token::Word(noun)] if is_one_of(by, &["by"]) && is_one_of(article, &["a", "an", "the"]) => {
+                body(noun).is_none().then(|| noun.clone())
+            }
+            _ => None,
+        });
+        pairs.collect::<Vec<_>>()
+    };
+    let stems = question.styles.iter().flat_map(|style| &style.stem);
+    let mut strikers: Vec<String> = stems.flat_map(sentences).flat_map(|sentence| struck_by(&sentence)).collect();
+    strikers.push("wall".to_owned());
+    let on = |sentence: &Sentence| {
+        let at = sentence.iter().position(|token| is_one_of(token, &["impulse"]))?;
+        sentence[at..].windows(3).find_map(|words| match words {
+            [on, the, Token::Word(noun)] if is_one_of(on, &["on"]) && is_one_of(the, &["the", "this"]) => {
+                strikers.contains(noun).then(|| noun.clone())
+            }
+            _ => None,
+        })
+    };
+    let names_own = |sentence: &Sentence| {
+        let is_on_own = |pair: &[Token]| is_one_of(&pair[0], &["on", "to"]) && pair[1] == Token::Sphere(own);
+        sentence.windows(2).any(is_on_own)
+    };
+    let striker = asked.iter().filter(|sentence| !names_own(sentence)).find_map(on)?;
+    let own = own.name();
+    let message = format!("the words ask for the impulse on the {striker}, and the answer is the impulse on `*{own}*`");
+    let help = format!("ask for the impulse on `*{own}*`, or find the opposite one");
+    Some(Finding::new(message, "", format!("on {own}")).with_help(help))
+}
+
 /// `That A exerts on A`, `exerted on A by A`.
 fn exerts_on_itself(sentence: &Sentence) -> Option<Sphere> {
     let own = |one: &Sphere, other: &Sphere| (one == other).then_some(*one);
@@ -245,7 +283,7 @@ mod tests {
         let onto = "successive/struck-onto-a-wall";
         let both = "both-moving/energy-lost-and-impulse";
         let after = ("rest/speeds-and-directions", "Immediately before the collision");
-        let table: [(&str, Edits, &str); 27] = [
+        let table: [(&str, Edits, &str); 29] = [
             (line, &[], ""),
             (line, &[("that *B* exerts on *C*", "exerted by *C* on *C*")], "have `*C*` exert an impulse on itself"),
             (line, &[("that *B* exerts on *C*", "that *C* exerts on *C*")], "have `*C*` exert an impulse on itself"),
@@ -255,6 +293,12 @@ mod tests {
                 "impulse on `*A*`, and the answer is called `impulse on B`",
             ),
             ("vector-impulse/impulse-from-two-velocities", &[], ""),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                &[("the impulse on *A*", "the impulse on the stick")],
+                "impulse on the stick, and the answer is the impulse on `*A*`",
+            ),
+            ("vector-impulse/impulse-from-two-velocities", &[("the impulse on *A*", "the impulse on the puck")], ""),
             (
                 "vector-impulse/impulse-from-two-velocities",
                 &[("the impulse on *A*", "the impulse that *A* exerts on the stick")],

@@ -77,7 +77,7 @@ fn help_to_say(
 }
 
 /// The names with those from which they are derived, and the letters in their values.
-fn with_letters(names: &BTreeSet<String>, style: &Style) -> BTreeSet<String> {
+pub(super) fn with_letters(names: &BTreeSet<String>, style: &Style) -> BTreeSet<String> {
     let mut all = origins(names, style);
     let domains = style.parameters.iter().filter(|(name, _)| all.contains(name)).map(|(_, domain)| domain);
     let values = domains.flat_map(|domain| (0..domain.size().min(100)).map(|place| domain.value(place)));

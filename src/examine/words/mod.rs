@@ -57,6 +57,7 @@ mod spoken_of;
 mod truth;
 mod typed;
 mod units;
+mod units_alike;
 mod untold;
 mod untold_ways;
 mod verbs;
@@ -88,6 +89,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         untold_ways::coefficients,
         untold_ways::in_radians,
         units::astray,
+        units_alike::mixed,
         called::otherwise,
         exact_form::unkept,
         figures::otherwise,

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use super::impacts::{impacts, ordinal};
 use super::said::{Seen, moment};
+use super::said_of_walls::STRUCK;
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
 use crate::expr::{Relation, print};
@@ -219,8 +220,10 @@ impl Seen<'_> {
         let is_as_before = near.windows(2).any(|pair| is_one_of(&pair[0], &["as"]) && is_one_of(&pair[1], &["before"]))
             || near.windows(4).any(was_moving);
         let is_other = says(sentence, &OTHERWISE);
-        let is_after = moment(sentence, at) == Moment::After;
-        if is_other || !is_after || !(is_as_before || says(near, &OLD)) || !self.question.scene.then.is_empty() {
+        let is_kept = keeps_its(&sentence[..at]);
+        let is_after = moment(sentence, at) == Moment::After || (is_kept && says(&sentence[..at], &STRUCK));
+        let is_old = is_as_before || is_kept || says(near, &OLD);
+        if is_other || !is_after || !is_old || !self.question.scene.then.is_empty() {
             return;
         }
         let is_back = says(near, &["opposite", "reverse", "against"]);
@@ -299,4 +302,13 @@ fn was_moving(words: &[Token]) -> bool {
         && is_one_of(it, &["it"])
         && is_one_of(was, &["was", "had"])
         && is_one_of(moving, &["moving", "travelling", "been"])
+}
+
+/// `Continues to move in its` direction: in that which it had.
+fn keeps_its(before: &[Token]) -> bool {
+    let [.., toward, its] = before else { return false };
+    let near = &before[before.len().saturating_sub(7)..];
+    is_one_of(toward, &["in"])
+        && is_one_of(its, &["its", "their"])
+        && says(near, &["continues", "continue", "continued", "carries", "keeps"])
 }

@@ -33,6 +33,7 @@ fn words_that_the_scene_contradicts_are_found() {
         (catches, line, "collide directly, and *A* carries on in the same direction as before.", ""),
         (catches, line, "collide directly. As a result *A* moves on with speed {w m/s}.", "give `*A*` the speed `w`"),
         (catches, line, "collide directly. *A* continues in the opposite direction.", "`*A*` moves in the opposite"),
+        (catches, line, "collide directly, and *B* continues to move in its direction.", ""),
         (catches, line, "collide directly. *A* does not change its direction.", ""),
         (catches, line, "collide directly. *A* reverses its direction.", "the direction of `*A*` is changed"),
         (
@@ -116,6 +117,12 @@ fn words_that_the_scene_contradicts_are_found() {
         ("successive/corner", "and the second to {j}", "and the second to {i}", "the wall is parallel to i"),
         ("i-j/energy-lost", "is parallel to {i}", "is perpendicular to {i}", "line of centres is perpendicular to i"),
         ("i-j/energy-lost", "{[bx, by] m/s}", "{[by, bx] m/s}", "give `*B*` the velocity"),
+        (
+            "ranges/direction-reversed",
+            "collide directly",
+            "collide directly and *A* continues in its direction",
+            "`*A*` then moves in its old direction",
+        ),
         (
             "ranges/direction-reversed",
             "A.after.x < 0",
