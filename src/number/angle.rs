@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::decimal::{Decimal, Places};
 use super::enclose::Assignment;
 use super::rounding::{Uncertain, round, round_certified};
+use super::value::Root;
 use super::{Direction, FloatInterval, Fraction, Interval, Letter, Value};
 
 /// The angle from the positive x-direction to the vector `(x, y)`, anticlockwise, above -180 and up
@@ -43,11 +44,11 @@ impl Angle {
                 None => Some(Angle { y: Value::ZERO, x: x.clone() }),
             };
         }
-        if x.is_laborious() {
+        if is_rationalised(x) {
             // To divide would be to rationalise the denominator, root after root, for nothing; but what both
             // share may be all that makes it so.
             let (y, x) = Value::without_common_factors(y, x);
-            return if x.is_laborious() { Some(Angle { y, x }) } else { Angle::of(&y, &x) };
+            return if is_rationalised(&x) { Some(Angle { y, x }) } else { Angle::of(&y, &x) };
         }
         let (scale, unit) = match x.sign() {
             Some(Ordering::Less) => (-x, Value::from(-1)),
@@ -175,4 +176,11 @@ impl Angle {
             None => round_certified(|bits| self.enclose(bits, &|_| None), |tie| self.is_degrees(tie), places),
         }
     }
+}
+
+/// Would a division by it be long, or with letters make pages of a sum with a root in it or of a root of a formula?
+fn is_rationalised(x: &Value) -> bool {
+    let roots = x.roots();
+    let is_long = || x.is_sum_of_roots() || roots.iter().any(|root| matches!(root, Root::Nested { .. }));
+    x.is_laborious() || (!roots.is_empty() && !x.is_constant() && is_long())
 }

@@ -19,6 +19,10 @@ pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     fn root(&self) -> Option<Self>;
     /// The size without the sign.
     fn size(&self) -> Self;
+    /// The size of what the impact makes positive: a formula whose letters do not tell is itself.
+    fn size_where_positive(&self) -> Self {
+        self.size()
+    }
     /// Is it known to be nought?
     fn is_nought(&self) -> bool;
 
@@ -59,6 +63,9 @@ impl Number for Value {
     }
     fn size(&self) -> Value {
         self.absolute()
+    }
+    fn size_where_positive(&self) -> Value {
+        if self.sign().is_none() { self.clone() } else { self.absolute() }
     }
     fn is_nought(&self) -> bool {
         self.is_zero()

@@ -12,7 +12,7 @@
 //!   Most that are nought are so because angles add up, which the sum written as one of cosines shows at once.
 //! * A formula in letters is nought exactly if each coefficient of each product of letters is; its
 //!   sign is known if all these coefficients have one sign once a coefficient of restitution `e` is
-//!   written `1/(1+x)`, `x` positive.
+//!   written `1/(1+x)`, `x` positive, or if it has one at all corners of a cosine and a sine.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -94,7 +94,8 @@ impl Value {
             return constant_sign(self);
         }
         let below = common_sign(&term(Vec::new(), compound.denominator.clone()))?;
-        let above = common_sign(&compound.terms)?;
+        let whole = || Value::build(compound.terms.clone(), Polynomial::one());
+        let above = common_sign(&compound.terms).or_else(|| whole().sign_at_corners())?;
         Some(if below.is_lt() { above.reverse() } else { above })
     }
 

@@ -4,6 +4,7 @@ mod angle;
 mod arithmetic;
 mod complement;
 mod coprime;
+mod corners;
 mod decide;
 mod decimal;
 mod direction;

@@ -38,8 +38,12 @@ impl Value {
             return true;
         }
         let many = if self.has_letters() { 2 } else { 4 };
-        let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
-        roots.len() >= many && !single
+        roots.len() >= many && self.is_sum_of_roots()
+    }
+
+    /// Does it have several products of roots above the denominator, the product of none among them?
+    pub(super) fn is_sum_of_roots(&self) -> bool {
+        !matches!(self, Value::Compound(compound) if compound.terms.len() == 1)
     }
 
     /// The quotient; `None` by nought.

@@ -44,9 +44,13 @@ impl Progress {
             Step::Sets(done) => self.bar.inc(done),
             Step::Marked { of } => {
                 self.marks.call_once(|| {
-                    self.bar.reset();
-                    self.bar.set_length(of);
+                    // Nothing is drawn before all three are new.
                     self.count("styles marked");
+                    self.bar.reset_elapsed();
+                    self.bar.update(|state| {
+                        state.set_pos(0);
+                        state.set_len(of);
+                    });
                 });
                 self.bar.inc(1);
             }

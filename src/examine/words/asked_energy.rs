@@ -61,7 +61,7 @@ pub fn of_several_impacts(question: &Question, answer: &Answer, asked: &[Sentenc
     let is_of_all = |sentence: &Sentence| {
         says(sentence, &["energy"])
             && says(sentence, &["total", "two", "both", "three", "all", "altogether"])
-            && says(sentence, &["collisions", "impacts"])
+            && says(sentence, &["collisions", "impacts", "walls"])
             && !says(sentence, &["first", "second", "third", "each", "between"])
     };
     if question.scene.then.is_empty() || !is_loss || !asked.iter().any(is_of_all) {

@@ -197,6 +197,16 @@ fn in_terms_of_numbers(question: &Question, asked: &[Sentence]) -> Option<Findin
         domain.is_some_and(|domain| (0..domain.size().min(100)).all(|place| domain.value(place).names().is_empty()))
     };
     let is_number = |name: &str| question.styles.iter().all(|style| is_plain(style, name));
+    // `In terms of 3m`: a number and a letter.
+    let is_multiple = |name: &str| {
+        let is_letter = |expr: &Expr| matches!(expr, Expr::Name(_));
+        question.styles.iter().any(|style| {
+            let mut values = style.parameters.iter().filter(|(own, _)| own == name).map(|(_, domain)| domain);
+            let formula = style.lets.iter().find(|(own, _)| own == name).map(|(_, formula)| formula);
+            formula.is_some_and(|formula| !is_letter(formula))
+                || values.any(|values| (0..values.size().min(100)).any(|place| !is_letter(&values.value(place))))
+        })
+    };
     let lists = asked.iter().flat_map(|sentence| {
         let ends = sentence
             .windows(2)
@@ -209,11 +219,18 @@ fn in_terms_of_numbers(question: &Question, asked: &[Sentence]) -> Option<Findin
             matches!(token, Token::Number(..) | Token::Comma) || is_one_of(token, &["and", "only"])
         });
         list.filter_map(|token| match token {
-            Token::Number(Expr::Name(name), ..) if is_number(&name.text) => Some(name.text.clone()),
+            Token::Number(Expr::Name(name), ..) if is_number(&name.text) || is_multiple(&name.text) => {
+                Some(name.text.clone())
+            }
             _ => None,
         })
         .next()
     })?;
+    if !is_number(&name) {
+        let message = format!("the words ask for it in terms of `{name}`, which is not always a letter by itself");
+        let found = Finding::new(message, "", "it may be a number of times a letter");
+        return Some(found.with_help("name the letters, as in `in terms of {m} and {u}`").as_warning());
+    }
     let message = format!("the words ask for it in terms of `{name}`, which the paper prints as a number");
     let found = Finding::new(message, "", "it is a number");
     Some(found.with_help(format!("take `{name}` out, or make it a letter in `[scene.symbols]`")))
@@ -289,8 +306,11 @@ mod tests {
         let vector = "Find a vector parallel to the line of centres of";
         let back = "backwards/velocity-of-b-and-line-of-centres";
         let turned = "ranges/turned-back-by-an-oblique-impact";
-        let table: [(&str, Edits, &str); 39] = [
+        let backwards = "backwards/speed-of-b-and-energy-lost";
+        let table: [(&str, Edits, &str); 41] = [
             (line, &[], ""),
+            (backwards, &[], ""),
+            (backwards, &[("in terms of {m}", "in terms of {mA}")], "`mA`, which is not always a letter by itself"),
             (turned, &[], ""),
             (
                 turned,

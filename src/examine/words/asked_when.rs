@@ -3,6 +3,7 @@
 //! `After it has struck the wall` and `before *C* strikes it` name an impact of a sphere. Where no impact is plain from the
 //! words, as in `after the second collision` where walls are struck between, nothing is said.
 
+use super::asked_where::only_between;
 use super::impacts::{impacts, ordinal};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::bank::{EarnedFor, Question};
@@ -110,7 +111,10 @@ fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Optio
             _ => return None,
         };
         let rest = sentence[place + 1..].split(|token| *token == Token::Comma).next().unwrap_or_default();
-        let named = named(question, sphere, rest);
+        let named = match they_collide(question, &sentence[..place], rest) {
+            Some(theirs) => vec![theirs],
+            None => named(question, sphere, rest),
+        };
         Some((!named.is_empty()).then_some((named, moment)))
     };
     sentence.iter().enumerate().filter_map(at).collect()
@@ -126,6 +130,21 @@ fn is_at_the_strike(word: &str, before: &[Token], after: &[Token]) -> bool {
     let [who, strikes, ..] = after else { return false };
     let is_who = matches!(who, Token::Sphere(_)) || is_one_of(who, &["it"]);
     leads && is_who && is_one_of(strikes, &["strikes", "hits", "reaches", "meets"])
+}
+
+/// `The speeds of *B* and *C* before they collide`: the only impact of the two who alone are named.
+fn they_collide(question: &Question, before: &[Token], after: &[Token]) -> Option<u8> {
+    let [they, collide, ..] = after else { return None };
+    let is_theirs = is_one_of(they, &["they"]) && is_one_of(collide, &["collide", "meet", "collided", "met"]);
+    let mut named: Vec<Sphere> = before.iter().filter_map(sphere_named).collect();
+    named.sort();
+    named.dedup();
+    let ([one, other], true) = (named.as_slice(), is_theirs && nth_time(after).is_none()) else { return None };
+    only_between(&question.scene, *one, *other)
+}
+
+fn sphere_named(token: &Token) -> Option<Sphere> {
+    if let Token::Sphere(sphere) = token { Some(*sphere) } else { None }
 }
 
 /// The impact of a sphere that words name first: with the only wall, with the second, with the sphere that is named.
@@ -190,7 +209,14 @@ mod tests {
         let again = "of *A* immediately after it collides with *B* for the second time";
         let (rebound, speed) =
             ("walls/rebound-speed-and-direction", "Find the speed of *A* immediately after the impact");
-        let table: [(&str, Edits, &str); 23] = [
+        let three = "successive/three-in-a-line";
+        let table: [(&str, Edits, &str); 25] = [
+            (three, &[], ""),
+            (
+                three,
+                &[("immediately after they", "immediately before they")],
+                "`speed of B after it has struck C` is found",
+            ),
             (rebound, &[(speed, "Find the speed of *A* as it strikes the wall")], "is found after it"),
             (rebound, &[(speed, "Find the speed with which *A* strikes the wall")], "is found after it"),
             (rebound, &[(speed, "Find the speed with which *A* leaves the wall")], ""),

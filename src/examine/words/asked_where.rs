@@ -116,7 +116,7 @@ fn between(scene: &SceneText, words: &[Token]) -> Option<u8> {
 }
 
 /// The impact of two spheres, if they have but one.
-fn only_between(scene: &SceneText, one: Sphere, other: Sphere) -> Option<u8> {
+pub(super) fn only_between(scene: &SceneText, one: Sphere, other: Sphere) -> Option<u8> {
     let all = impacts(scene);
     let mut of_both = all.iter().filter(|impact| impact.has(one) && impact.has(other));
     match (of_both.next(), of_both.next()) {

@@ -247,9 +247,39 @@ fn beside(before: &[Token]) -> Option<Sphere> {
 }
 
 /// Words after which a sphere is not the one that moves.
-const OBJECT: [&str; 16] = [
-    "towards", "to", "from", "with", "by", "strikes", "hits", "struck", "hit", "at", "meets", "leaves", "behind", "on",
-    "between", "for",
+const OBJECT: [&str; 32] = [
+    "towards",
+    "toward",
+    "to",
+    "from",
+    "with",
+    "by",
+    "strikes",
+    "striking",
+    "hits",
+    "hitting",
+    "struck",
+    "hit",
+    "at",
+    "meets",
+    "meeting",
+    "leaves",
+    "leaving",
+    "behind",
+    "on",
+    "between",
+    "for",
+    "approaches",
+    "approaching",
+    "follows",
+    "following",
+    "catches",
+    "catching",
+    "overtakes",
+    "overtaking",
+    "against",
+    "into",
+    "near",
 ];
 /// Words that stand before the name of a sphere.
 const BEFORE_A_NAME: [&str; 9] = ["a", "the", "smooth", "uniform", "small", "sphere", "ball", "particle", "another"];
@@ -351,6 +381,8 @@ mod tests {
                 "*A* has speed {u} and its direction makes an acute angle of {t deg} with the wall.",
                 "u: Speed A, t: Angle A",
             ),
+            ("*B* is approaching *A* at speed {w m/s}.", "w: Speed B"),
+            ("*A*, following *B* with speed {u m/s}, runs into *B* of mass {k kg}.", "u: Speed A, k: Mass B"),
             ("*A* and *B* move with speed {u m/s}.", ""),
             ("*A* hits *B* of mass {m kg}, which has speed {u m/s}.", "m: Mass B, u: Speed B"),
             ("Their speed of approach is {u m/s}; the radius is {r}.", ""),

@@ -146,7 +146,15 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
             Some(smallvec![Datum::Number(mass.clone() * (v_x - u_x)), Datum::Number(mass * (v_y - u_y))])
         }
         REACTION => number(-known.number(rule.needs[0])?),
-        SIZE => number(known.number(rule.needs[0])?.size()),
+        SIZE => {
+            let impulse = known.number(rule.needs[0])?;
+            // Of two spheres B is pushed away from A. Which way the normal to a wall runs is not known.
+            number(match rule.needs[0] {
+                Quantity::Impulse(Sphere::B, _) => impulse.size_where_positive(),
+                _ if known.number(Quantity::Mass(Sphere::B)).is_some() => (-impulse).size_where_positive(),
+                _ => impulse.size(),
+            })
+        }
         SIZE_OF_VECTOR => {
             let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
             number((x.squared() + y.squared()).root()?)
