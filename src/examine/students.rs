@@ -249,18 +249,12 @@ fn worked(printed: &PrintedQuestion, question: &KeyedQuestion) -> Student {
     let part = |(part, keyed): (&PrintedPart, &KeyedPart)| {
         let lines = part.working.iter().flat_map(|line| &line.equations).map(print::unicode);
         let shown = keyed.scheme.iter().find(|mark| mark.code == Code::A1Shown).and_then(|mark| mark.equation.as_ref());
-        let answers = match shown {
-            Some(result) => {
-                keyed.blanks.iter().map(|blank| (Some(blank.name.clone()), print::unicode(result))).collect()
-            }
-            // What the working does not say in an equation it says in the answer.
-            None => keyed
-                .blanks
-                .iter()
-                .zip(&part.answers)
-                .filter_map(|(blank, answer)| Some((Some(blank.name.clone()), print::unicode(answer.exact.as_ref()?))))
-                .collect(),
+        // What the working does not say in an equation it says in the answer.
+        let answer = |(blank, answer): (&KeyedBlank, &PrintedAnswer)| {
+            let own = shown.filter(|_| blank.model.kind == Kind::Shown).or(answer.exact.as_ref());
+            Some((Some(blank.name.clone()), print::unicode(own?)))
         };
+        let answers = keyed.blanks.iter().zip(&part.answers).filter_map(answer).collect();
         PartScript { label: part.label.clone(), answers, working: lines.collect() }
     };
     let parts = printed.parts.iter().zip(&question.parts).map(part).collect();

@@ -19,8 +19,12 @@ pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     fn root(&self) -> Option<Self>;
     /// The size without the sign.
     fn size(&self) -> Self;
+    /// The size without the sign where another number, if there is one, is positive.
+    fn size_where_positive(&self, _positive: impl FnOnce() -> Option<Self>) -> Self {
+        self.size()
+    }
     /// The size of what the impact makes positive: a formula whose letters do not tell is itself.
-    fn size_where_positive(&self) -> Self {
+    fn size_of_positive(&self) -> Self {
         self.size()
     }
     /// Is it known to be nought?
@@ -64,7 +68,13 @@ impl Number for Value {
     fn size(&self) -> Value {
         self.absolute()
     }
-    fn size_where_positive(&self) -> Value {
+    fn size_where_positive(&self, positive: impl FnOnce() -> Option<Value>) -> Value {
+        match positive() {
+            Some(positive) => self.absolute_where_positive(&positive),
+            None => self.absolute(),
+        }
+    }
+    fn size_of_positive(&self) -> Value {
         if self.sign().is_none() { self.clone() } else { self.absolute() }
     }
     fn is_nought(&self) -> bool {

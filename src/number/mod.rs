@@ -28,6 +28,7 @@ mod rounding;
 mod shared_factors;
 mod square;
 pub(crate) mod steps;
+mod supposed;
 mod trigonometry;
 mod value;
 #[cfg(test)]

@@ -153,3 +153,28 @@ fn carom_knows_that_a_fraction_of_energy_is_what_is_lost_over_what_there_was() {
     let quotient = steps.iter().find_map(|step| step.equations.iter().find(|equation| equation.starts_with("f=")));
     assert_eq!(quotient.unwrap(), r"f=\frac{15(1-e^{2})}{20}");
 }
+
+#[test]
+fn what_approaches_has_no_bars_and_no_tangent_is_rationalised() {
+    let exact =
+        |scene: &Json, name: &str| report(&solved(scene)).quantities[name]["exact"].as_str().unwrap().to_owned();
+    let letters = json!({ "m": "positive", "u": "positive", "w": "positive", "alpha": "acute" });
+    let direct = json!({
+        "masses": { "A": "2*m", "B": "m" }, "before": { "A": "u", "B": "w" }, "e": "1/2", "symbols": letters
+    });
+    // They meet only with u > w: B then has (2u + w + u - w)/3 = u, and was pushed by m(u - w).
+    assert_eq!(exact(&direct, "impulse.magnitude"), "m*(u - w)");
+    assert_eq!(exact(&direct, "B.after.speed"), "u");
+    let pushed = json!({
+        "masses": { "A": "m", "B": "3*m" }, "before": { "A": "u", "B": "w" }, "e": "1/2", "symbols": letters
+    });
+    assert_eq!(exact(&pushed, "B.after.speed"), "(5*w + 3*u)/8");
+    assert_eq!(exact(&pushed, "A.after.speed"), "abs(u - 9*w)/8");
+    let oblique = json!({
+        "masses": { "A": "2*m", "B": "3*m" },
+        "before": { "A": { "speed": "u", "angle_deg": "alpha" }, "B": ["3*u", "0"] },
+        "line_of_centres": ["1", "0"], "e": "1/2", "symbols": letters
+    });
+    assert_eq!(exact(&oblique, "impulse.magnitude"), "9*m*u*(3 - cos(alpha))/5");
+    assert_eq!(exact(&oblique, "A.after.angle_to_loc_deg"), "atan(10*sin(alpha)/(27 + cos(alpha)))/deg");
+}

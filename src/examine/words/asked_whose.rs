@@ -57,6 +57,7 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
         }
     }
     findings.extend(said.iter().find_map(|sentence| never_happens(sentence, impacts.len())));
+    findings.extend(said.iter().find_map(|sentence| no_such_wall(sentence, &impacts)));
     let mut striking = said.iter().flat_map(|sentence| strikes_a_wall(sentence));
     let never = |sphere: &Sphere| !impacts.iter().any(|impact| impact.is_wall && impact.has(*sphere));
     // That there is no wall at all is told of the wall.
@@ -107,6 +108,20 @@ fn never_happens(sentence: &[Token], impacts: usize) -> Option<Finding> {
     };
     let found = Finding::new(message, format!("{which} {noun}"), "no such impact").with_help(help);
     Some(if nth == 0 { found.as_warning() } else { found })
+}
+
+/// `The third wall`, where two are struck.
+fn no_such_wall(sentence: &[Token], impacts: &[Impact]) -> Option<Finding> {
+    let walls = impacts.iter().filter(|impact| impact.is_wall).count();
+    let is_wall = |pair: &&[Token]| is_one_of(&pair[1], &["wall"]);
+    // That there is one where the words have none is told of the wall; a second may be there and never be struck.
+    let (nth, pair) = sentence.windows(2).filter(is_wall).find_map(|pair| Some((ordinal(&pair[0])?, pair)))?;
+    let Token::Word(which) = &pair[0] else { return None };
+    (walls > 0 && nth >= walls.max(2)).then(|| {
+        let message = format!("the words speak of a {which} wall, and {walls} are struck in the scene");
+        let found = Finding::new(message, format!("{which} wall"), "no such wall");
+        found.with_help("name a wall that is struck, or let a sphere strike it with `[[scene.then]]`").as_warning()
+    })
 }
 
 /// Sentences of what is so.
@@ -283,7 +298,9 @@ mod tests {
         let onto = "successive/struck-onto-a-wall";
         let both = "both-moving/energy-lost-and-impulse";
         let after = ("rest/speeds-and-directions", "Immediately before the collision");
-        let table: [(&str, Edits, &str); 29] = [
+        let table: [(&str, Edits, &str); 31] = [
+            ("successive/corner", &[("loses at the second wall", "loses at the third wall")], "speak of a third wall"),
+            ("successive/corner", &[], ""),
             (line, &[], ""),
             (line, &[("that *B* exerts on *C*", "exerted by *C* on *C*")], "have `*C*` exert an impulse on itself"),
             (line, &[("that *B* exerts on *C*", "that *C* exerts on *C*")], "have `*C*` exert an impulse on itself"),

@@ -7,6 +7,7 @@ use foldhash::fast::FixedState;
 
 use super::agreement::disagreeing;
 use super::exact_form::AsksExact;
+use super::grammar::noun;
 use super::misspelt::{meant, meant_after};
 use super::sentences::{around, remark_at};
 use super::truth::Claims;
@@ -66,8 +67,26 @@ fn looked_at(text: &Text, pieces: &[&Piece]) -> Vec<Remark> {
         before = closing(piece);
     }
     pieces.windows(2).for_each(|pair| small_name(pair, &mut remarks));
+    never_closed(pieces, &mut remarks);
     disagreeing(text, &mut remarks);
     remarks
+}
+
+/// A bracket that is opened in the words and never closed; a half-open interval closes with another.
+fn never_closed(pieces: &[&Piece], remarks: &mut Vec<Remark>) {
+    let mut open: Vec<String> = Vec::new();
+    for words in pieces.iter().filter_map(|piece| if let Piece::Words(words) = piece { Some(words) } else { None }) {
+        for (at, sign) in words.char_indices() {
+            match sign {
+                '(' => open.push(words[at..].split_whitespace().take(3).collect::<Vec<_>>().join(" ")),
+                ')' | ']' => drop(open.pop()),
+                _ => {}
+            }
+        }
+    }
+    if let Some(at) = open.first() {
+        remarks.push(remark_at("a bracket that is never closed", at, at, "write `)` where it ends, or take it out"));
+    }
 }
 
 /// `A sphere *a*`, which no other place of the question knows.
@@ -128,7 +147,8 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
     }
     let mut before = "";
     let mut at = 0;
-    for word in words.split_whitespace() {
+    let mut all = words.split_whitespace().peekable();
+    while let Some(word) = all.next() {
         at += words[at..].find(word).unwrap_or(0);
         // A letter alone may stand twice as the name of something; `a` as an article may not.
         let bare = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
@@ -145,7 +165,10 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
             let shown = format!("{before} {word}");
             remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
         }
-        if let Some(meant) = meant(bare).or_else(|| meant_after(before, bare)) {
+        // `It's speed is`, and not `it's given that`.
+        let is_of_it = ["It's", "It’s"].contains(&bare) && all.peek().is_some_and(|next| noun(next).is_some());
+        let of_it = || is_of_it.then_some("Its");
+        if let Some(meant) = meant(bare).or_else(|| meant_after(before, bare)).or_else(of_it) {
             let help = format!("write `{meant}`");
             remarks.push(remark_at("a slip of the pen", around(words, at), bare, &help));
         }

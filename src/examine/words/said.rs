@@ -181,11 +181,14 @@ impl<'v> Seen<'v> {
         self.question.parts.iter().flat_map(|part| &part.answers).any(shows)
     }
 
-    /// Where there is but one sphere, what is an angle is its angle.
+    /// Where there is but one sphere, what is an angle is its angle, and `its` velocity no other's.
     fn only_owner(&self, sentence: &Sentence, place: usize) -> Option<(Noun, Sphere)> {
         let is_only = self.is_alone() && self.question.scene.then.is_empty();
         match noun_of(sentence, place) {
             Some((_, Noun::Angle, false)) if is_only => Some((Noun::Angle, Sphere::A)),
+            Some((at, noun @ (Noun::Speed | Noun::Velocity), false)) if is_only && at > 0 => {
+                is_one_of(&sentence[at - 1], &["its"]).then_some((noun, Sphere::A))
+            }
             _ => None,
         }
     }
@@ -275,7 +278,7 @@ pub(super) fn moment(sentence: &[Token], place: usize) -> Moment {
 pub(super) fn told(sentence: &[Token], place: usize) -> Option<(usize, Moment)> {
     let next = || {
         let next = (place + 1..sentence.len()).take_while(|at| !matches!(sentence[*at], Token::Number(..)));
-        next.filter_map(|at| time(sentence, at)).next()
+        next.filter_map(|at| time(sentence, at)).next().filter(|(at, _)| !leads_on(sentence, *at))
     };
     let is_of_motion = |at: &usize| matches!(sentence[*at], Token::Number(..)) && is_of_motion(sentence, *at);
     let first = (0..place).find(is_of_motion).unwrap_or(place);
@@ -283,6 +286,13 @@ pub(super) fn told(sentence: &[Token], place: usize) -> Option<(usize, Moment)> 
         Some(_) => told_before(sentence, place),
         None => next().or_else(|| told_before(sentence, place)),
     }
+}
+
+/// Is a word of time, as in `and immediately after the hit its velocity is {v}`, of what comes next?
+fn leads_on(sentence: &[Token], at: usize) -> bool {
+    let lead = sentence[..at].iter().rev().find(|token| !is_one_of(token, &["immediately", "just", "shortly"]));
+    let is_joined = lead.is_some_and(|lead| *lead == Token::Comma || is_one_of(lead, &["and"]));
+    is_joined && (at..sentence.len()).any(|at| matches!(sentence[at], Token::Number(..)) && is_of_motion(sentence, at))
 }
 
 /// Is a number a speed, a velocity or an angle?

@@ -67,7 +67,16 @@ impl Seen<'_> {
         };
         let wrong = match self.is_direct() {
             true => says(&["oblique", "obliquely"]),
-            false if scene.then.is_empty() && is_across() => says(&["directly"]),
+            // `Moves directly towards *A*` tells of a path.
+            false if scene.then.is_empty() && is_across() => sentence.iter().enumerate().find_map(|(place, token)| {
+                let is_of_path = sentence.get(place + 1).is_some_and(|next| {
+                    is_one_of(
+                        next,
+                        &["towards", "toward", "away", "along", "at", "from", "behind", "opposite", "above"],
+                    )
+                });
+                (is_one_of(token, &["directly"]) && !is_of_path).then_some(token)
+            }),
             false => None,
         };
         if let Some(Token::Word(word)) = wrong {

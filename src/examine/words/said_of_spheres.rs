@@ -21,7 +21,11 @@ impl Seen<'_> {
             is_one_of(&three[0], &MASS) && is_one_of(&three[1], &["are"]) && is_one_of(&three[2], &["equal"])
         };
         let is_said = sentence.windows(2).any(is_equal) || sentence.windows(3).any(are_equal);
-        if !is_said || self.is_alone() {
+        // `*A* has a different mass from *C*` is said of two that are named.
+        let is_unlike =
+            |pair: &[Token]| is_one_of(&pair[0], &["different", "unequal", "differing"]) && is_one_of(&pair[1], &MASS);
+        let is_said_unlike = !is_said && sentence.windows(2).any(is_unlike) && !says(sentence, &["not", "no"]);
+        if !(is_said || is_said_unlike) || self.is_alone() {
             return;
         }
         let named = |sphere: &Sphere| sentence.contains(&Token::Sphere(*sphere));
@@ -32,6 +36,18 @@ impl Seen<'_> {
             Some((*sphere, known))
         };
         let masses: Vec<(Sphere, Value)> = spheres.iter().filter_map(mass).collect();
+        if is_said_unlike {
+            if masses.len() == 2 && masses[0].1.equals(&masses[1].1) {
+                let message = "the words say that the masses are different, and in the scene they are equal";
+                let at = if says(sentence, &["masses"]) { "masses" } else { "mass" };
+                findings.push(self.finding(
+                    message.to_owned(),
+                    at,
+                    "require that they differ, or say that they are equal",
+                ));
+            }
+            return;
+        }
         let unlike = |pair: &&[(Sphere, Value)]| !pair[0].1.equals(&pair[1].1);
         if let Some([(one, _), (other, _)]) = masses.windows(2).find(unlike) {
             let message = format!(

@@ -34,6 +34,36 @@ fn words_that_the_scene_contradicts_are_found() {
         (catches, line, "collide directly. As a result *A* moves on with speed {w m/s}.", "give `*A*` the speed `w`"),
         (catches, line, "collide directly. *A* continues in the opposite direction.", "`*A*` moves in the opposite"),
         (catches, line, "collide directly, and *B* continues to move in its direction.", ""),
+        (
+            "deflection/equal-masses",
+            "and each has mass {mA}",
+            "and different masses",
+            "say that the masses are different",
+        ),
+        (
+            "rest/speeds-and-directions",
+            "The spheres have equal radii.",
+            "The spheres have different masses and equal radii.",
+            "",
+        ),
+        (
+            "vector-impulse/impulse-from-two-velocities",
+            "struck by a stick. Immediately after it has been\nstruck its",
+            "struck by a stick, and immediately after the hit its",
+            "",
+        ),
+        (
+            "vector-impulse/impulse-from-two-velocities",
+            "struck by a stick. Immediately after it has been\nstruck its velocity is {[v, w] m/s}",
+            "struck by a stick, and immediately after the hit its velocity is {[x, y] m/s}",
+            "give `*A*` the velocity `[x, y]`",
+        ),
+        (
+            "both-moving/paths-at-right-angles",
+            "*B* is moving with speed {uB} along",
+            "*B* is moving directly along",
+            "",
+        ),
         (catches, line, "collide directly. *A* does not change its direction.", ""),
         (catches, line, "collide directly. *A* reverses its direction.", "the direction of `*A*` is changed"),
         (

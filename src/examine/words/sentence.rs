@@ -247,7 +247,9 @@ fn beside(before: &[Token]) -> Option<Sphere> {
 }
 
 /// Words after which a sphere is not the one that moves.
-const OBJECT: [&str; 32] = [
+const OBJECT: [&str; 34] = [
+    "as",
+    "than",
     "towards",
     "toward",
     "to",
@@ -288,8 +290,8 @@ const BEFORE_A_NAME: [&str; 9] = ["a", "the", "smooth", "uniform", "small", "sph
 pub fn subject(before: &[Token]) -> Option<Sphere> {
     for (at, token) in before.iter().enumerate().rev() {
         let leads = |at: usize| before[..at].iter().rev().find(|token| !is_one_of(token, &BEFORE_A_NAME));
-        // `in front of *A*` and `ahead of *A*`, but `the speed of *A*`.
-        let is_ahead = matches!(&before[..at], [.., Word(place), Word(of)] if of == "of" && (place == "front" || place == "ahead"));
+        // `in front of *A*`, `ahead of *A*` and `equals that of *A*`, but `the speed of *A*`.
+        let is_ahead = matches!(&before[..at], [.., Word(place), Word(of)] if of == "of" && ["front", "ahead", "that"].contains(&place.as_str()));
         let is_object = is_ahead || leads(at).is_some_and(|token| is_one_of(token, &OBJECT));
         match token {
             Token::Sphere(_) if matches!(leads(at), Some(Token::Sphere(_))) => return None,
@@ -383,6 +385,8 @@ mod tests {
             ),
             ("*B* is approaching *A* at speed {w m/s}.", "w: Speed B"),
             ("*A*, following *B* with speed {u m/s}, runs into *B* of mass {k kg}.", "u: Speed A, k: Mass B"),
+            ("*B*, whose radius is the same as that of *A*, is moving with speed {w m/s}.", "w: Speed B"),
+            ("*B*, which has the same radius as *A*, is moving with speed {w m/s}.", "w: Speed B"),
             ("*A* and *B* move with speed {u m/s}.", ""),
             ("*A* hits *B* of mass {m kg}, which has speed {u m/s}.", "m: Mass B, u: Speed B"),
             ("Their speed of approach is {u m/s}; the radius is {r}.", ""),

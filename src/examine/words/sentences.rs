@@ -362,6 +362,10 @@ mod tests {
             ("The mass of *A of {m}.", "mend `*`"),
             ("_Immediately afterwards it stops.", "mend `_`"),
             ("The speed is {{ u }}.", "mend `{`"),
+            ("Sphere *A* (of mass {2 kg}, is moving.", "(of mass"),
+            ("Sphere *A* (of mass {2 kg}) is moving, with {e} in (0, 1]. (a) Find it. b) Find it.", ""),
+            ("It's speed is {u}.", "It's"),
+            ("It's given that they meet.", ""),
         ];
         for (words, shown) in table {
             let mut remarks = Vec::new();

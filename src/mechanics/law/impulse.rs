@@ -150,8 +150,8 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
             let impulse = known.number(rule.needs[0])?;
             // Of two spheres B is pushed away from A. Which way the normal to a wall runs is not known.
             number(match rule.needs[0] {
-                Quantity::Impulse(Sphere::B, _) => impulse.size_where_positive(),
-                _ if known.number(Quantity::Mass(Sphere::B)).is_some() => (-impulse).size_where_positive(),
+                Quantity::Impulse(Sphere::B, _) => impulse.size_of_positive(),
+                _ if known.number(Quantity::Mass(Sphere::B)).is_some() => (-impulse).size_of_positive(),
                 _ => impulse.size(),
             })
         }

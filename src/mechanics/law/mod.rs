@@ -342,6 +342,12 @@ fn full_speed<N: Number>(known: &Here<N>, sphere: Sphere, moment: Moment) -> Opt
     }
 }
 
+/// The size of a component: the spheres approach each other, which may decide its sign where letters leave it open.
+fn size<N: Number>(component: N, known: &Here<N>) -> N {
+    let along = |sphere| known.number(velocity(sphere, Moment::Before, Axis::N));
+    component.size_where_positive(|| Some(along(Sphere::A)? - along(Sphere::B)?))
+}
+
 /// A number with the sign of another; of nought the sign that is given.
 fn with_sign_of<N: Number>(size: &N, sign: &N, of_nought: &N) -> N {
     let unit = sign.over(&sign.size()).unwrap_or_else(|| of_nought.clone());

@@ -1,6 +1,6 @@
 //! Pythagoras: a speed from two perpendicular components, `v² = v_n² + v_t²`.
 
-use super::{Shape, Seen, Here, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation};
+use super::{Shape, Seen, Here, Law, Line, Outcome, Rule, Show, Slip, number, rule, size, velocity, first_equation};
 use crate::expr::{Expr, Function, Piece, written};
 use crate::number::Value;
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -54,7 +54,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Here<N>) -> Outcome<N> {
     let [along, across] = known.numbers([rule.needs[0], rule.needs[1]])?;
     // The square of a root is not always seen to be one: a lone component is its own root.
     if across.is_nought() {
-        return number(along.size());
+        return number(size(along, known));
     }
     if along.is_nought() {
         return number(across.size());
