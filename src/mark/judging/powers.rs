@@ -13,6 +13,9 @@ use super::{Model, letters};
 /// The powers by which a letter may be left out, or be too much.
 const POWERS: [i64; 5] = [0, 1, 2, -1, -2];
 
+/// More letters for masses and speeds no question has.
+const MOST_LETTERS: usize = 2;
+
 /// Is it the model once it is multiplied by powers of masses and speeds?
 pub(super) fn is_right_but_for_powers(model: &Model, expr: &Expr) -> bool {
     let is_measured = |name: &str| matches!(letters::unit_of(name), Some(Unit::Kilogram | Unit::MetrePerSecond));
@@ -38,9 +41,6 @@ pub(super) fn is_right_but_for_powers(model: &Model, expr: &Expr) -> bool {
     }
     products.iter().skip(1).any(|product| is_near(model, product) && exact::equals(model, product) == Equality::Equal)
 }
-
-/// More letters for masses and speeds no question has.
-const MOST_LETTERS: usize = 2;
 
 /// Is it the model, as far as doubles show?
 fn is_near(model: &Model, product: &Expr) -> bool {
