@@ -55,7 +55,16 @@ impl KeyedQuestion {
         let begins: Vec<Quantity> = Sphere::BOTH.into_iter().flat_map(begins).collect();
         let wanted: Vec<Quantity> = begins.iter().map(|quantity| meeting.quantity(*quantity)).collect();
         let mut derived = known.clone();
-        Derivation::carry_out(&mut derived, &wanted);
+        let earlier = self.earlier_velocities(meeting, axes);
+        Derivation::carry_out(&mut derived, &[wanted.clone(), earlier.clone()].concat());
+        let numbers = |of: &[Quantity]| {
+            let number = |quantity: &Quantity| match derived.0.get(quantity)? {
+                Datum::Number(value) => Some(value.clone()),
+                _ => None,
+            };
+            of.iter().filter_map(number).collect::<Vec<Value>>()
+        };
+        let elsewhere = self.elsewhere.at(numbers(&wanted), numbers(&earlier));
         let mut given = meeting.known(&known);
         for (quantity, later) in begins.into_iter().zip(&wanted) {
             if let Some(datum) = derived.0.get(later) {
@@ -63,7 +72,21 @@ impl KeyedQuestion {
             }
         }
         let parts = self.parts.iter().map(|part| part.of_impact(meeting)).collect();
-        Some(self.of_scene(then.scene.clone(), given, parts))
+        Some(KeyedQuestion { elsewhere, ..self.of_scene(then.scene.clone(), given, parts) })
+    }
+
+    /// The velocities of the impacts before this one, before them and after them.
+    fn earlier_velocities(&self, meeting: Meeting, axes: &[Axis]) -> Vec<Quantity> {
+        let later = self.scene.then.iter().map(|then| then.meeting).filter(|other| other.number < meeting.number);
+        let mut all = Vec::new();
+        for impact in std::iter::once(Meeting::FIRST).chain(later) {
+            for (part, moment) in
+                Sphere::BOTH.into_iter().flat_map(|part| [Moment::Before, Moment::After].map(|at| (part, at)))
+            {
+                all.extend(axes.iter().map(|axis| impact.quantity(Quantity::Velocity(part, moment, *axis))));
+            }
+        }
+        all
     }
 
     /// A sentence about a law, in the words of its first impact and with the letter that is the coefficient of restitution there.
@@ -131,7 +154,7 @@ impl KeyedQuestion {
             parts,
             decimals: self.decimals.clone(),
             angles: self.angles.clone(),
-            masses: self.masses.clone(),
+            elsewhere: self.elsewhere.clone(),
             prepared: Default::default(),
             mistakes: Default::default(),
             mistakes_where_found: Default::default(),

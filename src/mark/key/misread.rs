@@ -1,11 +1,11 @@
 //! A question as it is for who has copied one of its numbers wrongly.
 
-use super::{KeyedBlank, KeyedPart, KeyedQuestion, motion, numbers_of_masses};
+use super::{KeyedBlank, KeyedPart, KeyedQuestion, motion};
 use crate::answer::Kind;
 use crate::bank::Find;
 use crate::expr::{Expr, Turn, written, written_angle};
 use crate::mark::judging::Model;
-use crate::mark::working::Misread;
+use crate::mark::working::{Elsewhere, Misread};
 use crate::mechanics::{Datum, Derivation, Known, Quantity, Scene, Sphere, Velocity, pose};
 use crate::number::{Angle, Value};
 
@@ -43,8 +43,8 @@ impl KeyedQuestion {
         let given = pose(&scene).ok().filter(|given| is_changed && *given != self.given)?;
         let mut known = given.clone();
         let parts = self.parts_unstated().iter().map(|part| part.of_what_is_given(&scene, &mut known)).collect();
-        let masses = numbers_of_masses(&scene);
-        Some(KeyedQuestion { masses, ..self.of_scene(scene, given, parts) })
+        let elsewhere = Elsewhere::of(&scene);
+        Some(KeyedQuestion { elsewhere, ..self.of_scene(scene, given, parts) })
     }
 
     /// Puts the number as it was copied into a thing that is given; `None` if what comes of it is none.

@@ -24,9 +24,9 @@ pub use papers::{AnswerKey, KeyedPaper};
 
 use super::judging::Model;
 use super::slips::{Asked, Mistakes};
-use super::working::{Prepared, numbers_of_masses};
+use super::working::{Elsewhere, Prepared};
 use crate::bank::Find;
-use crate::expr::{Angles, Expr};
+use crate::expr::Angles;
 use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, Setting, Sought, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
@@ -55,8 +55,8 @@ pub struct KeyedQuestion {
     decimals: Vec<String>,
     /// The angles among its parameters, by the names that its words have for them, in degrees.
     angles: Vec<(String, f64)>,
-    /// The numbers of its masses, of every impact.
-    masses: Vec<Expr>,
+    /// What it gives for every impact.
+    elsewhere: Elsewhere,
     prepared: OnceLock<Prepared>,
     mistakes: OnceLock<Mistakes>,
     mistakes_where_found: OnceLock<Option<Mistakes>>,
@@ -129,7 +129,7 @@ impl KeyedQuestion {
         part::with_the_letters_of_angles(&mut parts, &scene.unknowns);
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let (decimals, angles) = (texts::decimals(question), texts::angles(question));
-        let (given_letters, masses) = (texts::given_letters(question, &letters), numbers_of_masses(&scene));
+        let (given_letters, elsewhere) = (texts::given_letters(question, &letters), Elsewhere::of(&scene));
         let (prepared, mistakes, mistakes_where_found, needed, solution, later) = Default::default();
         Ok(KeyedQuestion {
             id,
@@ -142,7 +142,7 @@ impl KeyedQuestion {
             parts,
             decimals,
             angles,
-            masses,
+            elsewhere,
             prepared,
             mistakes,
             mistakes_where_found,
@@ -155,9 +155,9 @@ impl KeyedQuestion {
     /// What looking through working needs, made when it is first needed.
     pub(super) fn prepared(&self) -> &Prepared {
         self.prepared.get_or_init(|| {
-            let (decimals, angles, masses) = (self.decimals.clone(), self.angles.clone(), self.masses.clone());
+            let (decimals, angles, elsewhere) = (self.decimals.clone(), self.angles.clone(), self.elsewhere.clone());
             let found = self.solution().map_or(&[][..], Solution::found);
-            Prepared::new(&self.scene, &self.given_letters, &self.given, found, decimals, angles, masses)
+            Prepared::new(&self.scene, &self.given_letters, &self.given, found, decimals, angles, elsewhere)
         })
     }
 

@@ -121,6 +121,8 @@ pub(super) fn contradicts(shown: &Award) -> bool {
         "masses-omitted",
         "not-resolved",
         "term-missing",
+        "mass-missing",
+        "velocity-elsewhere",
         "coalesce",
         "e-misread",
         "number-misread",

@@ -4,7 +4,7 @@ use super::numbers::{Context, Spread, Sum, sizes, sum};
 use std::rc::Rc;
 
 use super::denied::End;
-use super::equations::{BOTH, ByNumbers, Convention, Departure, Matched, Misread, line_shows_e, take_as_laws};
+use super::equations::{BOTH, ByNumbers, Convention, Matched, Misread, line_shows_e, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
 use super::impacts::{set_aside_of_others, short_of_law_or_step};
@@ -371,26 +371,5 @@ impl Working<'_> {
     fn is_method_seen(&self, law: Law) -> bool {
         let mut matched = self.lines.iter().flat_map(|studied| &studied.matched);
         matched.any(|matched| law.gives(matched.equation) && matched.is_method())
-    }
-
-    /// A mark for one of the two equations.
-    fn pair_equation(&self, law: Law, code: Code) -> Option<Shown> {
-        let own = self.lines.iter().enumerate().filter_map(|(place, studied)| {
-            studied.matched.iter().find(|matched| law.gives(matched.equation)).map(|matched| (place, matched))
-        });
-        let (line, best) = own.min_by_key(|(_, matched)| matched.weight())?;
-        let given = if code.is_accuracy() { best.departures.is_empty() } else { best.is_method() };
-        let lost = |departure: &&Departure| code.is_accuracy() || !departure.is_condoned();
-        let reason = best.departures.iter().find(lost);
-        let note = if given { None } else { reason.map(|departure| departure.tag()) };
-        let feedback = match (given, reason) {
-            (false, Some(departure)) => departure.sentence().to_owned(),
-            (true, _) if !best.departures.is_empty() => {
-                let condoned: Vec<&str> = best.departures.iter().map(|departure| departure.sentence()).collect();
-                format!("condoned here: {}", condoned.join("; "))
-            }
-            _ => String::new(),
-        };
-        Some(Shown { line, given, note, feedback, role: law.name().to_owned() })
     }
 }

@@ -3,10 +3,10 @@
 
 use std::borrow::Cow;
 
-use super::equations::{Apiece, BOTH, Departure, differences};
+use super::equations::Departure;
 use super::examine::{Examined, Value, Working, value};
 use super::laws::{ToBeSubtracted, along_for, is_of_deflection};
-use super::numbers::{Linear, common_root, is_vector, sizes};
+use super::numbers::{is_vector, sizes};
 use super::prepared::Prepared;
 use super::theirs::Theirs;
 use crate::bank::{Code, EarnedFor, Find};
@@ -323,41 +323,6 @@ impl<'a> Working<'a> {
             names: Vec::new(),
             by_numbers: Default::default(),
         }
-    }
-
-    /// What the student's own two equations come to: the components along the line of centres, from A to B, at every point.
-    pub(super) fn own_solution(&self) -> Option<[Vec<f64>; 2]> {
-        let (convention, laws) = (self.convention.as_ref()?, self.prepared.laws.as_ref()?);
-        let is_law = |linear: &Vec<Linear>, law: Quantity| {
-            let another = || laws.with_another_restitution(linear, convention);
-            laws.either(linear, &Apiece::default(), convention, false)
-                .into_iter()
-                .chain(another())
-                .any(|matched| matched.equation == law)
-        };
-        let equation = |law: Quantity| {
-            let own = self.lines.iter().filter_map(|studied| {
-                let matched = studied.matched.iter().find(|matched| matched.equation == law)?;
-                Some((matched.weight(), studied))
-            });
-            let (_, best) = own.min_by_key(|(weight, _)| *weight)?;
-            let mut linear = best
-                .reading
-                .iter()
-                .flat_map(|reading| &reading.equations)
-                .filter_map(|e| differences(e, self.prepared));
-            linear.find(|linear| is_law(linear, law))
-        };
-        let [momentum, restitution] = BOTH.map(equation);
-        let numbers = |linear: &Linear| {
-            let [v, w, constant] = linear.in_numbers([&convention.letters[0], &convention.letters[1]]);
-            [v * convention.signs[0], w * convention.signs[1], constant]
-        };
-        let both = momentum.iter().flatten().zip(restitution.iter().flatten());
-        let each = both.map(|(one, other)| common_root(numbers(one), numbers(other)));
-        let each: Vec<[f64; 2]> = each.collect::<Option<_>>()?;
-        let of = |place: usize| each.iter().map(|solution| solution[place]).collect::<Vec<f64>>();
-        (each.len() == self.prepared.points.count).then(|| [of(0), of(1)])
     }
 
     /// A line with a vector that has in it what the student's own equations come to.

@@ -5,6 +5,7 @@
 //! the width that rounded figures leave open.
 
 mod denied;
+mod elsewhere;
 mod equations;
 mod evidence;
 mod examine;
@@ -19,7 +20,8 @@ mod numbers;
 mod prepared;
 mod theirs;
 
-pub(super) use equations::{Misread, numbers_of_masses};
+pub(super) use elsewhere::Elsewhere;
+pub(super) use equations::Misread;
 pub(super) use examine::{Examined, has_these_sizes};
 pub(super) use impacts::examine;
 pub(super) use lines::{MOST_LINES, goes_on, typed as typed_lines};

@@ -1,5 +1,6 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
+use super::elsewhere::Elsewhere;
 use super::equations::{Critical, Laws, given_numbers};
 use super::examine::value;
 use super::laws::along_for;
@@ -40,8 +41,12 @@ pub struct Prepared {
     pub(super) decimals: Vec<String>,
     /// The numbers that it gives for masses and velocities.
     pub(super) given_numbers: Vec<Expr>,
-    /// Those of them that are masses, with those of spheres that are no part of this impact.
-    masses: Vec<Expr>,
+    /// The velocities with which a later impact begins, as numbers, where the question does not give them.
+    pub(super) carried: Vec<Expr>,
+    /// What is given for other impacts too.
+    elsewhere: Elsewhere,
+    /// The sizes of the velocities of earlier impacts.
+    speeds_elsewhere: Vec<f64>,
     /// Where letters were to be found: those letters with their values at every point where they have one.
     pub(super) found: Vec<(Letter, Vec<Option<f64>>)>,
     /// What is known there.
@@ -49,7 +54,7 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a question with these letters, whose scene gives this, and from which this is to be found; `masses` are the numbers of all its masses.
+    /// Prepares a question with these letters, whose scene gives this, and from which this is to be found.
     pub fn new(
         scene: &Scene,
         letters: &[Letter],
@@ -57,7 +62,7 @@ impl Prepared {
         found: &[(Letter, Value)],
         decimals: Vec<String>,
         angles: Vec<(String, f64)>,
-        masses: Vec<Expr>,
+        elsewhere: Elsewhere,
     ) -> Prepared {
         let (points, mut angles) = (Points::new(letters), angles);
         let given: Vec<Known<f64>> = (0..points.count).map(|point| points.known(exact, point)).collect();
@@ -107,6 +112,7 @@ impl Prepared {
         speeds.dedup();
         let at_points = |letter: &Letter| (0..points.count).map(|at| points.letter(letter.name(), at)).collect();
         let laws = Laws::of(&given[0], &known, in_components, speeds.iter().filter_map(at_points).collect());
+        let speeds_elsewhere = elsewhere.speeds(&points);
         let mut prepared = Prepared {
             setting: scene.setting,
             points,
@@ -121,10 +127,15 @@ impl Prepared {
             from_distance,
             decimals,
             given_numbers: given_numbers(scene),
-            masses,
+            carried: elsewhere.carried(),
+            speeds_elsewhere,
+            elsewhere,
             found,
             there,
         };
+        let others: Vec<Vec<f64>> =
+            prepared.elsewhere.restitutions.iter().filter_map(|given| prepared.sizes_of(given)).collect();
+        prepared.laws = prepared.laws.map(|laws| laws.beside(&others));
         prepared.critical = Critical::of(scene, &prepared);
         prepared
     }
@@ -151,7 +162,19 @@ impl Prepared {
 
     /// Are both numbers masses, so that one in the place of the other is a mistake and no slip of the pen?
     pub(super) fn are_masses(&self, one: &Expr, other: &Expr) -> bool {
-        self.masses.contains(one) && self.masses.contains(other)
+        self.elsewhere.masses.contains(one) && self.elsewhere.masses.contains(other)
+    }
+
+    /// Is it the size of a velocity of an earlier impact, before it or after it?
+    pub(super) fn is_speed_elsewhere(&self, number: &Expr) -> bool {
+        let size = self.sizes_of(number).and_then(|sizes| sizes.first().copied());
+        size.is_some_and(|size| self.speeds_elsewhere.iter().any(|own| (own - size.abs()).abs() < 1e-9))
+    }
+
+    /// Is it the coefficient of restitution of some impact?
+    pub(super) fn is_restitution_elsewhere(&self, number: &Expr) -> bool {
+        let sizes = self.sizes_of(number);
+        sizes.is_some() && self.elsewhere.restitutions.iter().any(|given| self.sizes_of(given) == sizes)
     }
 
     /// The letter that was to be found, where this quantity is given as that letter.

@@ -114,7 +114,7 @@ pub(in crate::mark::working) fn take_as_laws(lines: &mut [Studied], prepared: &P
         // Of two mistakes in one line and one number that is copied wrongly, that is likelier.
         let is_unlikely = studied.matched.iter().all(|one| !one.is_method() && one.departures.len() > 1);
         if is_unlikely && let Some((law, misread)) = with_number_misread(equation, laws, &convention, prepared) {
-            studied.misread = Some(misread);
+            studied.misread = misread;
             (studied.reading, studied.matched) = (Some(studied.line.readings[*which].clone()), vec![law]);
         }
         let is_another = |one: &Matched| one.departures == [Departure::AnotherRestitution];

@@ -8,7 +8,7 @@ use super::pair::{Laws, Matched};
 use crate::expr::Expr;
 use crate::mark::working::numbers::Linear;
 use crate::mark::working::prepared::Prepared;
-use crate::mechanics::{Scene, Velocity};
+use crate::mechanics::{Quantity, Scene, Velocity};
 use crate::number::Fraction;
 
 /// A number that is given, and what a student has for it.
@@ -34,7 +34,7 @@ impl Misread {
 
     /// Is what is written for it another number of the question, and so perhaps taken for it?
     pub(in crate::mark) fn is_of_another(&self, prepared: &Prepared) -> bool {
-        prepared.given_numbers.contains(&self.written)
+        prepared.given_numbers.contains(&self.written) || prepared.is_restitution_elsewhere(&self.written)
     }
 
     /// A formula of the question as the student has read it.
@@ -78,34 +78,29 @@ pub(in crate::mark::working) fn given_numbers(scene: &Scene) -> Vec<Expr> {
     all
 }
 
-/// The numbers that stand for masses in a scene and in those that follow it.
-pub(in crate::mark) fn numbers_of_masses(scene: &Scene) -> Vec<Expr> {
-    let own = scene.masses.iter().flatten().flat_map(|mass| numbers(&mass.shown));
-    own.chain(scene.then.iter().flat_map(|then| numbers_of_masses(&then.scene))).collect()
-}
-
-/// The law that an equation is once one of its numbers, in one place or several, is what is given.
+/// The law that an equation is once one of its numbers, in one place or several, is what is given; with what was copied
+/// wrongly, unless it is a velocity of another sphere or of before an earlier impact, which is no slip of the pen.
 pub(super) fn with_number_misread(
     (left, right): &(Expr, Expr),
     laws: &Laws,
     convention: &Convention,
     prepared: &Prepared,
-) -> Option<(Matched, Misread)> {
+) -> Option<(Matched, Option<Misread>)> {
     let has = |letter: &String| [left, right].iter().any(|side| side.names().iter().any(|name| name.text == *letter));
     let written: Vec<Expr> = [left, right].into_iter().flat_map(numbers).collect();
     if !convention.letters.iter().all(has) || written.len() > MOST_NUMBERS {
         return None;
     }
     // What is taken from itself comes to nought whatever it is.
-    let comes_to_nought = |linear: Vec<Linear>| linear.iter().all(|at| at.constant.may_be_nought(at.size));
-    if differences(&(left.clone(), right.clone()), prepared).is_none_or(comes_to_nought) {
-        return None;
-    }
-    let law = |put: &dyn Fn(usize, &Expr) -> Option<Expr>| {
+    let comes_to_nought = |linear: &Vec<Linear>| linear.iter().all(|at| at.constant.may_be_nought(at.size));
+    let as_written = differences(&(left.clone(), right.clone()), prepared).filter(|linear| !comes_to_nought(linear))?;
+    let law = |put: &dyn Fn(usize, &Expr) -> Option<Expr>| -> Option<(Quantity, bool)> {
         let mut place = 0;
         let mut with = |side: &Expr| replaced(side, &mut place, put);
         let equation = (with(left), with(right));
-        laws.exactly(&differences(&equation, prepared)?, || Apiece::of(&equation, prepared), convention)
+        let linear = differences(&equation, prepared)?;
+        let is_velocity = linear.iter().zip(&as_written).all(|(one, other)| one.unknowns == other.unknowns);
+        Some((laws.exactly(&linear, || Apiece::of(&equation, prepared), convention)?, is_velocity))
     };
     let firsts =
         written.iter().enumerate().filter(|(at, typed)| !written[..*at].contains(typed)).map(|(_, typed)| typed);
@@ -116,13 +111,18 @@ pub(super) fn with_number_misread(
         prepared
             .given_numbers
             .iter()
+            .chain(&prepared.carried)
             .filter(may_be)
             .flat_map(move |given| some.clone().into_iter().map(move |some| (some, given, typed)))
     });
     found.find_map(|(some, given, typed)| {
-        let equation = law(&|place, _| some.contains(&place).then(|| given.clone()))?;
+        let (equation, is_velocity) = law(&|place, _| some.contains(&place).then(|| given.clone()))?;
+        if is_velocity && prepared.is_speed_elsewhere(typed) {
+            return Some((Matched::with(equation, Departure::VelocityElsewhere), None));
+        }
         let misread = Misread { given: given.clone(), written: typed.clone() };
-        Some((Matched::with(equation, Departure::NumberMisread), misread))
+        let is_given = prepared.given_numbers.contains(given);
+        is_given.then(|| (Matched::with(equation, Departure::NumberMisread), Some(misread)))
     })
 }
 
@@ -149,7 +149,7 @@ fn without_sign(number: Expr) -> Expr {
 }
 
 /// The numbers in a formula, in order.
-fn numbers(expr: &Expr) -> Vec<Expr> {
+pub(in crate::mark::working) fn numbers(expr: &Expr) -> Vec<Expr> {
     match expr {
         Expr::Number(_) | Expr::Decimal(_) => vec![expr.clone()],
         other => other.children().into_iter().flat_map(numbers).collect(),

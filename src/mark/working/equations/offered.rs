@@ -122,6 +122,7 @@ impl Offered {
         // A number alone may be anything: e is another only where it stands with the speed of approach, and e itself does not.
         let is_another = self.shows_approach && !self.shows_e;
         let another = laws.with_another_restitution(&self.linear, convention).filter(|_| is_another);
+        let another = another.or_else(|| laws.with_restitution_of_another(&self.linear, convention));
         // Two figures of a number are few, and show what it was.
         let rough =
             self.rough.iter().flat_map(|rough| laws.either(rough, &Apiece::default(), convention, self.shows_e));

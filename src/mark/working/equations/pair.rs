@@ -63,6 +63,8 @@ pub(in crate::mark::working) struct Laws {
     is_after_given: bool,
     /// What each letter of the speeds that are given stands for at every point.
     pub(in crate::mark::working) speeds: Vec<Vec<f64>>,
+    /// The coefficients of restitution of other impacts at every point.
+    restitutions: Vec<Vec<f64>>,
     /// The numbers `p`, `q` that some changed law has at every point, each once: few, and most lines have others.
     unknowns: Vec<Vec<[f64; 2]>>,
     changed: Vec<Changed>,
@@ -114,7 +116,15 @@ impl Laws {
             }
         };
         let is_after_given = given.0.keys().any(is_after);
-        let mut laws = Laws { inputs, speeds, after, is_after_given, unknowns: Vec::new(), changed: Vec::new() };
+        let mut laws = Laws {
+            inputs,
+            speeds,
+            after,
+            is_after_given,
+            restitutions: Vec::new(),
+            unknowns: Vec::new(),
+            changed: Vec::new(),
+        };
         for (change, how) in changes().iter().enumerate() {
             let numbers: Option<Vec<[f64; 3]>> = laws.inputs.iter().map(|at| how.numbers(at)).collect();
             let Some(numbers) = numbers else { continue };
@@ -126,6 +136,13 @@ impl Laws {
             laws.changed.push(Changed { change, unknowns, numbers });
         }
         Some(laws)
+    }
+
+    /// The same laws beside other impacts with these coefficients of restitution.
+    pub(in crate::mark::working) fn beside(mut self, restitutions: &[Vec<f64>]) -> Laws {
+        let is_another = |of: &&Vec<f64>| of.iter().zip(&self.inputs).any(|(other, own)| (other - own.e).abs() > 1e-9);
+        self.restitutions = restitutions.iter().filter(is_another).cloned().collect();
+        self
     }
 
     /// The same laws where a sphere is at rest after the impact: without the term of its velocity.
@@ -305,24 +322,38 @@ impl Laws {
         line: &[Linear],
         convention: &Convention,
     ) -> Option<Matched> {
-        let departures = vec![Departure::AnotherRestitution];
-        self.another_restitution(line, convention)
-            .map(|_| Matched { equation: Quantity::RestitutionEquation, departures })
+        self.another_restitution(line, convention).map(|_| another_restitution())
+    }
+
+    /// The same with the coefficient of another impact, in a number that was worked out with it too: `w - v = 6`.
+    pub(super) fn with_restitution_of_another(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
+        let factors = self.factors_of_approach(line, convention)?;
+        let is = |of: &Vec<f64>| factors.iter().zip(of).all(|(factor, own)| (factor - own).abs() < 1e-6);
+        self.restitutions.iter().any(is).then(another_restitution)
     }
 
     /// That number.
     pub(super) fn another_restitution(&self, line: &[Linear], convention: &Convention) -> Option<f64> {
+        let factors = self.factors_of_approach(line, convention)?;
+        let first = *factors.first()?;
+        let is_one = factors.iter().all(|factor| (factor - first).abs() < 1e-6);
+        (is_one && (0.01..0.99).contains(&first)).then_some(first)
+    }
+
+    /// What stands before the speed of approach at every point, where the other side is the speed of separation.
+    fn factors_of_approach(&self, line: &[Linear], convention: &Convention) -> Option<Vec<f64>> {
         let factors = self.inputs.iter().zip(line).map(|(at, line)| {
             let is_of_both = line.unknowns.iter().all(|(name, _)| convention.letters.contains(name));
             let [v, w] = [0, 1].map(|place| line.before(&convention.letters[place]).middle() * convention.signs[place]);
             let is_difference = (v + w).abs() <= 1e-9 * w.abs() && w != 0.0;
             (is_of_both && is_difference).then(|| -line.constant.middle() / (w * (at.along[0] - at.along[1])))
         });
-        let factors: Vec<f64> = factors.collect::<Option<_>>()?;
-        let first = *factors.first()?;
-        let is_one = factors.iter().all(|factor| (factor - first).abs() < 1e-6);
-        (is_one && (0.01..0.99).contains(&first)).then_some(first)
+        factors.collect()
     }
+}
+
+fn another_restitution() -> Matched {
+    Matched::with(Quantity::RestitutionEquation, Departure::AnotherRestitution)
 }
 
 /// A line at a point: the numbers before the two unknowns, both positive from A to B, and the constant.
