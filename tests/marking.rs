@@ -47,6 +47,9 @@ struct Row {
     /// Tags that must be among the notes of answers, causes and awards.
     #[serde(default)]
     notes: Vec<String>,
+    /// For blanks the tag of the likeliest mistake.
+    #[serde(default)]
+    likeliest: std::collections::BTreeMap<String, String>,
     /// Tags that must not be among them.
     #[serde(default)]
     without: Vec<String>,
@@ -155,7 +158,16 @@ fn every_script_of_the_table_earns_its_marks() {
             .collect();
         let missing: Vec<&String> = row.notes.iter().filter(|note| !notes.contains(&note.as_str())).collect();
         let unwanted: Vec<&String> = row.without.iter().filter(|note| notes.contains(&note.as_str())).collect();
-        if codes.join(" ") != row.codes || !missing.is_empty() || !unwanted.is_empty() {
+        let likeliest = |blank: &str| {
+            let answer = part.answers.iter().find(|answer| answer.name == blank)?;
+            answer.causes.first().map(|cause| cause.tag.as_str())
+        };
+        let is_other = |(blank, tag): (&String, &String)| likeliest(blank) != Some(tag.as_str());
+        if row.likeliest.iter().any(is_other)
+            || codes.join(" ") != row.codes
+            || !missing.is_empty()
+            || !unwanted.is_empty()
+        {
             wrong += &format!(
                 "{}\n  earns  {}\n  not    {}\n  missing {missing:?}, unwanted {unwanted:?}\n{}\n",
                 row.name,
@@ -183,6 +195,7 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
         numbers: Default::default(),
         codes: String::new(),
         notes: Vec::new(),
+        likeliest: Default::default(),
         without: Vec::new(),
     };
     let lines = gone_on_from(&row);

@@ -71,6 +71,7 @@ pub use note::Note;
 pub(super) use shown::is_printed_value;
 pub(super) use spheres::named_spheres;
 pub use together::judge_together;
+pub(super) use units::dimension;
 
 /// How an answer fares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -22,7 +22,7 @@ pub(super) enum UnitCheck {
 }
 
 /// The dimension of a unit in powers of kilogram, metre, second and radian.
-fn dimension(unit: Unit) -> [i8; 4] {
+pub(in crate::mark) fn dimension(unit: Unit) -> [i8; 4] {
     match unit {
         Unit::None => [0, 0, 0, 0],
         Unit::Kilogram => [1, 0, 0, 0],

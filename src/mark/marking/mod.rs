@@ -10,6 +10,7 @@ mod beside;
 mod by_lines;
 mod causes;
 mod decide;
+mod exchanged;
 mod follow;
 mod last_word;
 mod left;
@@ -138,6 +139,7 @@ fn as_printed(
         let is_wrong_before = theirs.wrong(question).next().is_some();
         let seen = causes::Seen { by_lines: &by_lines, is_wrong_before, is_unknown_wrong, followed: &followed };
         causes::name(question, part, &mut answers, &judged, &examined, &seen);
+        exchanged::name_first(part, &mut answers, &judged);
         let is_unknown = |place: usize| matches!(part.blanks[place].find, Find::Unknown(_));
         let is_wrong = |answer: &MarkedAnswer| answer.judgement.verdict == Verdict::Wrong;
         is_unknown_wrong |= answers.iter().enumerate().any(|(place, answer)| is_unknown(place) && is_wrong(answer));

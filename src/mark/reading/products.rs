@@ -92,7 +92,8 @@ impl Parser<'_> {
             Some(Token::Number(_)) => {
                 self.is_multiplied_by_a_fraction()
                     || self.is_close_after_brackets()
-                    || (self.is_after_a_root() && self.is_fraction(0))
+                    || (self.is_after_a_root() || self.is_after_a_product()) && self.is_fraction(0)
+                    || self.is_square_in_energy()
             }
             _ => false,
         }
@@ -102,6 +103,25 @@ impl Parser<'_> {
     fn is_close_after_brackets(&self) -> bool {
         let Some(open) = self.at.checked_sub(3) else { return false };
         self.tokens[self.at - 1].is(')') && !self.spaced(0) && !self.tokens[open].is('(')
+    }
+
+    /// Does a product of letters end here, the `eu` of `eu 3/5`? Of one letter alone a fraction may be the value.
+    fn is_after_a_product(&self) -> bool {
+        let before = |back: usize| self.at.checked_sub(back).map(|at| &self.tokens[at]);
+        let is_letter = |placed: &Placed| matches!(placed.token, Token::Letter(_));
+        let is_factor = |placed: &Placed| is_letter(placed) || matches!(placed.token, Token::Number(_));
+        before(1).is_some_and(|last| is_letter(last) && !last.spaced) && before(2).is_some_and(is_factor)
+    }
+
+    /// `½m18`: behind the half and the mass of a kinetic energy a number is the square of a speed.
+    fn is_square_in_energy(&self) -> bool {
+        let before = |back: usize| self.at.checked_sub(back).map(|at| &self.tokens[at].token);
+        let is_number = |back: usize, own: i64| matches!(before(back), Some(Token::Number(number)) if *number == Expr::integer(own));
+        let is_mass = matches!(before(1), Some(Token::Letter(letter)) if letter == "m");
+        let is_group =
+            before(2) == Some(&Token::Sign(CLOSE)) && is_number(3, 2) && before(4) == Some(&Token::Sign('/'));
+        let is_typed = is_number(2, 2) && before(3) == Some(&Token::Sign('/')) && is_number(4, 1);
+        is_mass && (is_group && is_number(5, 1) || is_typed)
     }
 
     /// Does a root end here: `√39`, `√(39)`?

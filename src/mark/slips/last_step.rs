@@ -4,10 +4,10 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 /// A mistake in the last line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LastStep {
-    pub(super) tag: &'static str,
+pub(in crate::mark) struct LastStep {
+    pub(in crate::mark) tag: &'static str,
     pub(super) did: &'static str,
-    pub(super) sentence: &'static str,
+    pub(in crate::mark) sentence: &'static str,
 }
 
 pub(super) const SIGN: LastStep = LastStep {
@@ -25,7 +25,7 @@ pub(super) const RADIANS: LastStep = LastStep {
     did: "gave the angle in radians",
     sentence: "That is the angle in radians: set your calculator to degrees.",
 };
-pub(super) const OTHER_SPHERE: LastStep = LastStep {
+pub(in crate::mark) const OTHER_SPHERE: LastStep = LastStep {
     tag: "other-sphere",
     did: "gave the value of the other sphere",
     sentence: "That belongs to the other sphere: check which of the two is asked for.",
@@ -50,7 +50,7 @@ pub(super) const LOSS_FOR_FRACTION: LastStep = LastStep {
     did: "gave the energy lost for the fraction",
     sentence: "That is the energy lost: divide it by the energy before the impact.",
 };
-pub(super) const ANOTHER_ANSWER: LastStep = LastStep {
+pub(in crate::mark) const ANOTHER_ANSWER: LastStep = LastStep {
     tag: "another-answer",
     did: "gave the answer to another part",
     sentence: "That answers another part of the question.",

@@ -32,6 +32,7 @@ use crate::mechanics::{Carried, Quantity, Steps, Trace};
 use crate::number::Letter;
 
 use backwards::Backwards;
+pub(super) use last_step::{ANOTHER_ANSWER, OTHER_SPHERE};
 use last_step::{FACTOR_OF_TEN, LastStep};
 use sample::Sample;
 use table::{Answer, Values};

@@ -3,12 +3,17 @@
 use super::by_line::Wanted;
 use super::{is_unfinished, middle};
 use crate::expr::{Expr, Relation};
+use crate::mark::judging::dimension;
 use crate::mark::reading::{Form, Label, Said, Statement};
 use crate::mark::working::examine::{Value, Working};
 use crate::mark::working::lines::Member;
 use crate::mark::working::numbers::{comes_to, is_vector, sizes};
 use crate::mark::working::theirs::is_nearly_right;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::unit::Unit;
+
+/// By more than such a part of it a number is another, however it was rounded.
+const PLAINLY: f64 = 0.05;
 
 /// The value with which the working of a part ends, if it is nothing that anybody finds on the way.
 pub(crate) struct End {
@@ -18,6 +23,30 @@ pub(crate) struct End {
     pub(crate) is_never_right: Vec<bool>,
     /// Does it stand there?
     pub(crate) is_worked_out: Vec<bool>,
+}
+
+/// The unit in which a value is said to be, or in which that is what it is called.
+fn unit_of(statement: &Statement, said: &Said) -> Option<Unit> {
+    if let Some(said) = &said.unit {
+        return Unit::ALL.into_iter().find(|unit| dimension(*unit) == said.dimension);
+    }
+    let label = statement.label.as_ref()?.typed.to_lowercase();
+    let has = |words: &[&str]| words.iter().any(|word| label.contains(word));
+    let is_letter = |letters: &str| {
+        let mut signs = label.trim().chars();
+        let first = signs.next().is_some_and(|first| letters.contains(first));
+        let rest = signs.as_str();
+        first && (rest.is_empty() || rest.starts_with(['_', '\'', '’']) || matches!(rest, "a" | "b" | "c" | "1" | "2"))
+    };
+    if has(&["speed", "velocity"]) || is_letter("vw") {
+        Some(Unit::MetrePerSecond)
+    } else if has(&["impulse"]) || is_letter("ij") {
+        Some(Unit::NewtonSecond)
+    } else if has(&["energy"]) || label.split(|sign: char| !sign.is_alphanumeric()).any(|word| word == "ke") {
+        Some(Unit::Joule)
+    } else {
+        None
+    }
 }
 
 impl Working<'_> {
@@ -45,13 +74,13 @@ impl Working<'_> {
         // A formula in letters is a result where something was worked out to come to it.
         let is_plain = !is_unfinished(&member.expr)
             || !member.expr.names().is_empty() && !self.members_before(studied, member).is_empty();
-        if is_unsolved
-            || !(is_plain && is_result && self.in_given_names(&member.expr).is_some())
-            || self.is_on_the_way(values)
-        {
+        if is_unsolved || !(is_plain && is_result && self.in_given_names(&member.expr).is_some()) {
             return None;
         }
         let before = self.members_before(studied, member);
+        if self.is_on_the_way(values, unit_of(statement, said)) && !self.is_worked_out_wrongly(values, &before) {
+            return None;
+        }
         let is_before = |own: &Member| before.iter().any(|one| std::ptr::eq(*one, own));
         let of_blanks = |of: &dyn Fn(&Wanted) -> bool| {
             let each = self.part.blanks.iter().map(|blank| self.wanted(&blank.find));
@@ -65,6 +94,23 @@ impl Working<'_> {
         };
         let statement = Statement { said: vec![Said { form, ..said.clone() }], ..statement.clone() };
         Some(End { statement, is_never_right, is_worked_out })
+    }
+
+    /// Is it set equal to what plainly comes to another number, and to no square of it? Who writes `√(1.92² + 2²) = 2.0` has
+    /// written no step that is known, though it has the number of one.
+    fn is_worked_out_wrongly(&self, values: &[Value], before: &[&Member]) -> bool {
+        let is_another = |one: f64, other: f64| (one - other).abs() > PLAINLY * one.abs().max(other.abs());
+        let is_plainly = |own: Vec<Value>| {
+            own.iter().zip(values).all(|(own, end)| match (own, end) {
+                (Value::Number(own), Value::Number(end)) => {
+                    let (own, end) = (own.middle().abs(), end.middle().abs());
+                    is_another(own, end) && is_another(own, end * end)
+                }
+                _ => false,
+            })
+        };
+        let formulas = before.iter().filter(|member| member.multiple.is_none() && is_unfinished(&member.expr));
+        formulas.filter_map(|member| self.in_given_names(&member.expr)).any(is_plainly)
     }
 
     /// The velocities after the impact whose right value some letter has in the lines, where the same letter may be of the
@@ -86,8 +132,9 @@ impl Working<'_> {
     }
 
     /// Is it the size of anything that is known of the impact, or the square of a speed, a momentum, an energy, or a speed of
-    /// approach or of separation? Who ends with such a number has written a step, and the answer in its place.
-    fn is_on_the_way(&self, values: &[Value]) -> bool {
+    /// approach or of separation? Who ends with such a number has written a step, and the answer in its place. What is said to be in
+    /// another unit only has the same number, and nobody works out what the question gives for a mass or for e.
+    fn is_on_the_way(&self, values: &[Value], unit: Option<Unit>) -> bool {
         if values.iter().any(|value| matches!(value, Value::Vector(..))) {
             return self.is_vector_on_the_way(values);
         }
@@ -98,24 +145,31 @@ impl Working<'_> {
         let is = |of: &dyn Fn(usize) -> Option<f64>| {
             values.iter().enumerate().all(|(point, value)| of(point).is_some_and(|size| nearly(value, size)))
         };
-        let quantities = || self.prepared.known[0].0.keys().copied();
+        let may_be_in = |own: Unit| unit.is_none_or(|unit| unit == own);
+        let is_given = |quantity: &Quantity| {
+            let is_of_question = matches!(quantity.of_its_impact(), Quantity::Mass(_) | Quantity::Restitution);
+            is_of_question && self.prepared.given[0].0.contains_key(quantity)
+        };
+        let all = || self.prepared.known[0].0.keys().copied();
+        let quantities = || all().filter(|quantity| may_be_in(quantity.unit()) && !is_given(quantity));
         let is_speed = |quantity: &Quantity| matches!(quantity, Quantity::Velocity(..) | Quantity::Speed(..));
         let mass = |sphere: Sphere, point: usize| Some(known(Quantity::Mass(sphere))?[point]);
         let of_speed = |speed: &[f64]| {
-            is(&|point| Some(speed[point].powi(2)))
-                || Sphere::BOTH.into_iter().any(|sphere| {
-                    is(&|point| Some(mass(sphere, point)? * speed[point]))
-                        || is(&|point| Some(0.5 * mass(sphere, point)? * speed[point].powi(2)))
-                })
+            let momentum = |sphere| is(&|point| Some(mass(sphere, point)? * speed[point]));
+            let energy = |sphere| is(&|point| Some(0.5 * mass(sphere, point)? * speed[point].powi(2)));
+            unit.is_none() && is(&|point| Some(speed[point].powi(2)))
+                || may_be_in(Unit::NewtonSecond) && Sphere::BOTH.into_iter().any(momentum)
+                || may_be_in(Unit::Joule) && Sphere::BOTH.into_iter().any(energy)
         };
         let of_both = |moment: Moment| {
             let along = Sphere::BOTH.map(|sphere| known(Quantity::Velocity(sphere, moment, Axis::N)));
             let [Some(a), Some(b)] = along else { return false };
             let momentum = |point: usize| Some(mass(Sphere::A, point)? * a[point] + mass(Sphere::B, point)? * b[point]);
-            is(&|point| Some(a[point] - b[point])) || is(&momentum)
+            may_be_in(Unit::MetrePerSecond) && is(&|point| Some(a[point] - b[point]))
+                || may_be_in(Unit::NewtonSecond) && is(&momentum)
         };
         quantities().filter_map(known).any(|all| is(&|point| Some(all[point])))
-            || quantities().filter(is_speed).filter_map(known).any(|speed| of_speed(&speed))
+            || all().filter(is_speed).filter_map(known).any(|speed| of_speed(&speed))
             || [Moment::Before, Moment::After].into_iter().any(of_both)
     }
 

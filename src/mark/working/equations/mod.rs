@@ -2,6 +2,7 @@
 
 mod added_up;
 mod agreement;
+mod another_e;
 mod apiece;
 mod changed;
 mod convention;
