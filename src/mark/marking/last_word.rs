@@ -7,7 +7,7 @@ use crate::bank::Find;
 use crate::mark::award::{Award, Evidence, Ground, MarkedAnswer, Place};
 use crate::mark::enclosure::about;
 use crate::mark::judging::{Judgement, Note, Verdict, judge};
-use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
+use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::{Examined, typed_lines};
@@ -15,6 +15,7 @@ use crate::mark::working::{Examined, typed_lines};
 /// Of answers that are right though the working has found nothing but another value for them, or its equations deny them, says
 /// so: they are partly right, and imply nothing.
 pub(super) fn contradict(
+    question: &KeyedQuestion,
     part: &KeyedPart,
     script: &PartScript,
     examined: &Examined,
@@ -23,8 +24,11 @@ pub(super) fn contradict(
 ) {
     for (place, (blank, answer)) in part.blanks.iter().zip(answers).enumerate() {
         let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
-        let is_denied = || match blank.find {
+        let is_denied = || match &blank.find {
             Find::Unknown(_) => examined.denies_what_is_found,
+            Find::Quantity(quantity) if question.prepared().letter_of(*quantity).is_some() => {
+                examined.denies_what_is_found || examined.denied.get(place) == Some(&true)
+            }
             _ => examined.denied.get(place) == Some(&true),
         };
         let is_stated_otherwise = || {

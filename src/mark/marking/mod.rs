@@ -127,7 +127,7 @@ fn as_printed(
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let lines = Lines::default();
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined, &lines);
-        last_word::contradict(part, &handed_in, &examined, &lines, &mut answers);
+        last_word::contradict(question, part, &handed_in, &examined, &lines, &mut answers);
         let read = beside::HandedIn { script: &handed_in, lines: &lines, judged: &judged };
         beside::point_out(question, part, &read, &theirs, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());

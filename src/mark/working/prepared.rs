@@ -178,7 +178,7 @@ impl Prepared {
     }
 
     /// The letter that was to be found, where this quantity is given as that letter.
-    pub(super) fn letter_of(&self, quantity: Quantity) -> Option<String> {
+    pub(crate) fn letter_of(&self, quantity: Quantity) -> Option<String> {
         let given = sizes(&self.given, quantity)?;
         let is_it = |letter: &Letter| {
             let mut at = given.iter().enumerate();

@@ -47,13 +47,14 @@ const ACCURACY: [(&str, &str); 8] = [
 ];
 
 /// What lines of working show and answers do not.
-const OF_WORKING: [(&str, &str); 8] = [
+const OF_WORKING: [(&str, &str); 9] = [
     ("sign-error", "wrote a wrong sign in an equation"),
     ("e-misread", "took another e than the one that is given"),
     ("number-misread", "copied a number of the question wrongly"),
     ("weights-for-masses", "took weights for the masses"),
     ("term-missing", "left a term out of an equation"),
     ("mass-missing", "left a mass out of one term"),
+    ("velocity-elsewhere", "took the velocity of another sphere, or of another moment"),
     ("letter-missing", "left out a letter of the question"),
     ("inequality-reversed", "turned an inequality the wrong way round"),
 ];

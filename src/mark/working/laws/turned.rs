@@ -66,7 +66,30 @@ impl Working<'_> {
             },
             _ => false,
         };
-        are_together() || any_within(left, &is_rest) || any_within(right, &is_rest)
+        are_together()
+            || any_within(left, &is_rest)
+            || any_within(right, &is_rest)
+            || self.is_product_but_for_a_sign(left, right)
+    }
+
+    /// `v_A u cos θ - u² sin² θ = 0`: between spheres the scalar product with a sign wrong, perhaps divided by the component
+    /// before.
+    fn is_product_but_for_a_sign(&self, left: &Expr, right: &Expr) -> bool {
+        let Some(Expr::Name(name)) = self.question.scene.conditions.first().map(|condition| &condition.left) else {
+            return false;
+        };
+        let Ok(Quantity::DeflectionDot(sphere)) = name.text.parse() else { return false };
+        let component = |moment, axis| sizes(&self.prepared.known, Quantity::Velocity(sphere, moment, axis));
+        let along = component(Moment::Before, Axis::N).zip(component(Moment::After, Axis::N));
+        let (Some((before, after)), Some(across)) = (along, component(Moment::Before, Axis::T)) else { return false };
+        let Some(excess) = self.excess(left, Relation::Greater, right) else { return false };
+        let each = before.iter().zip(&after).zip(&across);
+        let wrong: Vec<f64> = each.map(|((before, after), across)| before * after - across * across).collect();
+        let divided: Vec<f64> = wrong.iter().zip(&before).map(|(wrong, before)| wrong / before).collect();
+        [wrong, divided].into_iter().any(|wrong| {
+            let turned: Vec<f64> = wrong.iter().map(|wrong| -wrong).collect();
+            self.is_positive_multiple(&excess, &wrong) || self.is_positive_multiple(&excess, &turned)
+        })
     }
 
     /// `α + β > 90`, `β > 90 - α`, `tan(α + β) < 0` at a wall, with one of the question's angles and another.
