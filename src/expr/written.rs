@@ -3,6 +3,8 @@
 //! Inside a [`Value`] an angle stands as its tangent and cosine; here sines come back. A product is
 //! written number, roots, letters, sines and cosines, bracket; a sum begins with a positive term.
 
+use std::cmp::Ordering;
+
 use super::term::{Shared, Term, collect, ordered_sum, whole};
 use super::{Expr, Function};
 use crate::number::{Angle, Fraction, Letter, Polynomial, Range, Root, Value};
@@ -21,6 +23,9 @@ pub fn written(value: &Value) -> Expr {
     }
     if let Some(size) = size_below(value) {
         return ratio(&(value * &size), &size);
+    }
+    if let Some(product) = in_brackets(value) {
+        return product;
     }
     let (terms, below) = collect(value);
     if let Some((above, below)) = by_cosines(value, terms.len(), &below) {
@@ -64,6 +69,58 @@ pub fn written(value: &Value) -> Expr {
     let denominator = Expr::product([Expr::Number(scale.denominator().into()), below_expr(&below)]);
     let size = Expr::product(factors).over(denominator);
     if negative { size.negated() } else { size }
+}
+
+/// The fewest terms of a product of two brackets, as `x² - 2x + 1` is.
+const OF_TWO_BRACKETS: usize = 3;
+
+/// A value in letters whose numerator is a product of brackets, and perhaps of roots: `3m(u - w)(1 + e)/(3 + m)`. Of angles the
+/// identities of sines and cosines say more.
+fn in_brackets(value: &Value) -> Option<Expr> {
+    let (terms, below) = value.parts();
+    let (roots, above) = terms.iter().next().filter(|_| terms.len() == 1)?;
+    let is_angle = |letter: &Letter| matches!(letter.range(), Range::Acute | Range::Degrees);
+    if above.terms().len() < OF_TWO_BRACKETS || value.has_letter(is_angle) {
+        return None;
+    }
+    let (number, factors) = above.square_free();
+    let whole = |polynomial: &Polynomial| Value::quotient(polynomial.clone(), Polynomial::one());
+    let (brackets, single): (Vec<_>, Vec<_>) = factors.into_iter().partition(|(factor, _)| factor.terms().len() > 1);
+    if brackets.iter().map(|(_, power)| power).sum::<u32>() < 2 {
+        return None;
+    }
+    let roots = roots.iter().fold(Value::Rational(number), |product, root| &product * &Value::root(root.clone()));
+    let mut outside = single
+        .iter()
+        .fold(roots, |product, (factor, power)| &product * &whole(&factor.power(*power)))
+        .divided_by(&whole(&below))?;
+    let mut brackets: Vec<(Value, u32)> = brackets.iter().map(|(factor, power)| (whole(factor), *power)).collect();
+    // A bracket is positive where that is known; and one of unknown sign takes a minus before the whole away.
+    let turn = |outside: &mut Value, (bracket, power): &mut (Value, u32)| {
+        *bracket = -&*bracket;
+        if *power % 2 == 1 {
+            *outside = -&*outside;
+        }
+    };
+    let is_negative = |(bracket, _): &&mut (Value, u32)| bracket.sign() == Some(Ordering::Less);
+    brackets.iter_mut().filter(is_negative).for_each(|bracket| turn(&mut outside, bracket));
+    if outside.sign() == Some(Ordering::Less) {
+        let is_open = |(bracket, power): &&mut (Value, u32)| bracket.sign().is_none() && power % 2 == 1;
+        brackets.iter_mut().find(is_open).into_iter().for_each(|bracket| turn(&mut outside, bracket));
+    }
+    let product = brackets.iter().map(|(bracket, power)| written(bracket).to_the(i64::from(*power)));
+    let (size, is_negative) = match written(&outside) {
+        Expr::Negative(inner) => (*inner, true),
+        other => (other, false),
+    };
+    let (above, below) = match size {
+        Expr::Quotient(above, below) => (*above, *below),
+        Expr::Number(number) => (Expr::Number(number.numerator().into()), Expr::Number(number.denominator().into())),
+        other => (other, Expr::integer(1)),
+    };
+    let before = if let Expr::Product(factors) = above { factors } else { vec![above] };
+    let size = Expr::product(before.into_iter().chain(product)).over(below);
+    Some(if is_negative { size.negated() } else { size })
 }
 
 /// What stands below the line in lowest terms, where its square does and it itself above: of `|x|/x²`, which is `1/|x|`.

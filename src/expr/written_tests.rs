@@ -15,7 +15,7 @@ fn letter(name: &str, range: Range) -> Value {
 fn values_are_written_as_a_teacher_writes_them() {
     let (u, e, m) = (letter("u", Range::Positive), letter("e", Range::Unit), letter("m", Range::Positive));
     let theta = Direction::acute(Letter::new("theta", Range::Acute).unwrap());
-    let x = letter("x", Range::Real);
+    let (x, w) = (letter("x", Range::Real), letter("w", Range::Positive));
     let one = Value::ONE;
     let half = Value::fraction(1, 2);
     let ten = Direction::degrees(&Fraction::from(10)).unwrap();
@@ -34,6 +34,15 @@ fn values_are_written_as_a_teacher_writes_them() {
         (quotient(&(&Value::from(2) * &theta.tangent().unwrap()), &(&one - &e)), "2*tan(theta)/(1 - e)"),
         (quotient(&(&one + &e), &(&e - &Value::from(3))), "-(1 + e)/(3 - e)"),
         (&(&m * &(&u * &u)) * &Value::fraction(9, 2), "9*m*u^2/2"),
+        // Products of brackets.
+        (quotient(&(&(&m * &(&u - &w)) * &(&one + &e)), &(&m + &Value::from(3))), "m*(u - w)*(1 + e)/(3 + m)"),
+        (&(&(&square(&(&w - &u)) * &m) * &(&one - &e)) * &half, "m*(u - w)^2*(1 - e)/2"),
+        (&(&w - &u) * &(&e - &Value::from(2)), "(u - w)*(2 - e)"),
+        (&(&u - &w) * &(&e - &Value::from(2)), "(w - u)*(2 - e)"),
+        (&(-&square(&(&u - &w))) * &m, "-m*(u - w)^2"),
+        (&square(&(&one + &(&e * &m))) * &Value::fraction(2, 3), "2*(1 + m*e)^2/3"),
+        (&(&(&root(2) * &m) * &(&u - &w)) * &(&one + &e), "sqrt(2)*m*(u - w)*(1 + e)"),
+        (&(&x.absolute() * &(&u - &w)) * &(&one + &e), "abs(x)*(u - w)*(1 + e)"),
         // Sizes of what may be negative.
         (quotient(&Value::from(20), &x.absolute()), "20/abs(x)"),
         (quotient(&m, &(&(&m - &Value::from(2)) * &Value::fraction(5, 2)).absolute()), "2*m/(5*abs(m - 2))"),
