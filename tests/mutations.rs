@@ -64,7 +64,7 @@ fn faults_of_the_numbers_are_named() {
             (
                 "impossible",
                 &[("  \"q > p\",\n", ""), ("\"restitution*q > p\", ", "")],
-                "meet the requirements on what is given and cannot happen",
+                "are turned away by no requirement and cannot happen",
             ),
             ("no-variant", &[("\"q > p\"", "\"q > 100*p\"")], "mend `q > 100*p`, or take it out: it turns away all"),
             ("no-need", &[("\"q > p\"", "\"q > p\", \"q > 0\"")], "`q > 0` turns no set of numbers away"),

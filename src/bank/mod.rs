@@ -31,7 +31,7 @@ pub use earned_for::EarnedFor;
 pub use folder::{Bank, read_source};
 pub(crate) use givens::names_in_degrees;
 pub use givens::{GivenNames, Givens};
-pub use posed::{Posed, Unposed};
+pub use posed::{Opened, Posed, Unposed};
 pub use question::{Answer, AuthorsTest, Code, Find, Mark, Part, Question, Style, StyleName};
 pub use requirement::{Measure, Requirement};
 pub use scene_file::read_scene;

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use super::givens::Givens;
 use super::question::{Question, Style};
+use super::requirement::Requirement;
 use crate::expr::{Angles, Fault, Meaning, Turn};
 use crate::mechanics::{Quantity, Refusal, Scene, SceneFault};
 use crate::number::{Angle, Range, Value};
-use crate::solve::{Solution, solve, solve_all};
+use crate::solve::{Begun, Solution, solve, solve_all};
 
 /// A question with numbers in it, solved for all that it asks and requires. Styles that have the same numbers share it.
 #[derive(Clone, Debug)]
@@ -18,6 +19,52 @@ pub struct Posed {
     pub scene: Arc<Scene>,
     /// Its solution.
     pub solution: Arc<Solution>,
+}
+
+/// A question with numbers in it: its scene read, and followed no further than its requirements ask.
+#[derive(Clone, Debug)]
+pub struct Opened {
+    givens: Arc<Givens>,
+    scene: Arc<Scene>,
+    /// None where the scene has unknowns: nothing is known before they are found.
+    begun: Option<Begun>,
+}
+
+impl Opened {
+    /// Reads the scene of a question.
+    ///
+    /// # Errors
+    ///
+    /// Why these numbers make no scene, as far as that is known before it is solved.
+    pub fn new(question: &Question, givens: Arc<Givens>) -> Result<Opened, Unposed> {
+        let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
+        let scene = Arc::new(scene);
+        let begun = Begun::new(Arc::clone(&scene)).map_err(Unposed::Refused)?;
+        Ok(Opened { givens, scene, begun })
+    }
+
+    /// Does a requirement hold that names these quantities? None where that is not known before all of it is solved.
+    pub fn meets(&mut self, requirement: &Requirement, quantities: &[Quantity]) -> Option<bool> {
+        let begun = self.begun.as_mut()?;
+        begun.derive(quantities);
+        let quantity = |quantity| meaning(begun.number(quantity), || begun.angle(quantity));
+        requirement.holds(&|name| named(name, &self.givens, &|_| None, &quantity)).ok()
+    }
+
+    /// Solves it for quantities that are known: those that [`Question::wanted`] tells.
+    ///
+    /// # Errors
+    ///
+    /// Why these numbers do not make a question that can be solved.
+    pub fn solve(self, wanted: &[Quantity]) -> Result<Posed, Unposed> {
+        let Opened { givens, scene, begun } = self;
+        let solution = match begun {
+            Some(begun) => begun.solve(wanted),
+            None => solve(Arc::clone(&scene), wanted),
+        };
+        let solution = Arc::new(solution.map_err(Unposed::Refused)?);
+        Ok(Posed { givens, scene, solution })
+    }
 }
 
 /// Why numbers do not make a question.
@@ -38,19 +85,7 @@ impl Posed {
     ///
     /// Why these numbers do not make a question that can be solved.
     pub fn new(question: &Question, style: &Style, givens: Givens) -> Result<Posed, Unposed> {
-        Posed::for_wanted(question, &question.wanted(style), Arc::new(givens))
-    }
-
-    /// The same for quantities that are known: those that [`Question::wanted`] tells.
-    ///
-    /// # Errors
-    ///
-    /// As for [`Posed::new`].
-    pub fn for_wanted(question: &Question, wanted: &[Quantity], givens: Arc<Givens>) -> Result<Posed, Unposed> {
-        let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
-        let scene = Arc::new(scene);
-        let solution = solve(Arc::clone(&scene), wanted).map_err(Unposed::Refused)?;
-        Ok(Posed { givens, scene, solution: Arc::new(solution) })
+        Opened::new(question, Arc::new(givens))?.solve(&question.wanted(style))
     }
 
     /// The same with no more than what is determined, where something that is wanted is left open; nothing if there is more
@@ -71,21 +106,15 @@ impl Posed {
         Ok(only.map(|solution| Posed { givens, scene, solution: Arc::new(solution) }))
     }
 
-    /// What a name of a requirement stands for: a given, or a result.
-    pub fn meaning(&self, name: &str) -> Option<Meaning> {
-        let quantity = || self.quantity(name.parse().ok()?);
-        // There is no dot in a name that an author gives.
-        if name.contains('.') {
-            return quantity();
-        }
-        self.found(name).or_else(|| self.givens.meaning(name)).or_else(quantity)
+    /// Does a requirement hold?
+    pub fn meets(&self, requirement: &Requirement) -> bool {
+        requirement.holds(&|name| self.meaning(name)).unwrap_or(false)
     }
 
-    fn quantity(&self, quantity: Quantity) -> Option<Meaning> {
-        match self.solution.number(quantity) {
-            Some(value) => Some(Meaning::Number(value)),
-            None => self.solution.angle(quantity).map(|angle| degrees(&angle)),
-        }
+    /// What a name of a requirement stands for: a given, or a result.
+    pub fn meaning(&self, name: &str) -> Option<Meaning> {
+        let quantity = |quantity| meaning(self.solution.number(quantity), || self.solution.angle(quantity));
+        named(name, &self.givens, &|name| self.found(name), &quantity)
     }
 
     /// What a letter of the scene was found to be.
@@ -96,6 +125,26 @@ impl Posed {
             _ => Some(Meaning::Number(value.clone())),
         }
     }
+}
+
+/// What a name of a requirement stands for: a letter that was found, a given, or a result.
+fn named(
+    name: &str,
+    givens: &Givens,
+    found: &dyn Fn(&str) -> Option<Meaning>,
+    quantity: &dyn Fn(Quantity) -> Option<Meaning>,
+) -> Option<Meaning> {
+    let result = || quantity(name.parse().ok()?);
+    // There is no dot in a name that an author gives.
+    if name.contains('.') {
+        return result();
+    }
+    found(name).or_else(|| givens.meaning(name)).or_else(result)
+}
+
+/// A result that is a number, or an angle.
+fn meaning(number: Option<Value>, angle: impl FnOnce() -> Option<Angle>) -> Option<Meaning> {
+    number.map(Meaning::Number).or_else(|| angle().map(|angle| degrees(&angle)))
 }
 
 /// A number of degrees: a plain number where it is a rational one.

@@ -86,9 +86,13 @@ fn tried(question: &Question, style: &Style, reason: &Unfit) -> Vec<Tried> {
     let mut tried = Vec::new();
     for nth in 0..size.min(MOST) {
         let index = if size <= MOST { nth } else { (u128::from(nth) * u128::from(size) / u128::from(MOST)) as u64 };
-        let is_possible = match Numbers::new(&sieve, index).examine(&sieve, Further::Never) {
-            Ok(_) | Err((Unfit::Results(_) | Unfit::Tie(_), _)) => true,
-            Err((other, _)) if other == *reason => false,
+        let numbers = Numbers::new(&sieve, index);
+        if let Err((Unfit::Givens(_) | Unfit::NoValue, _)) = numbers.examine(&sieve, Further::Never) {
+            continue;
+        }
+        let is_possible = match numbers.posed() {
+            Ok(_) => true,
+            Err(other) if other == *reason => false,
             Err(_) => continue,
         };
         let size = |(_, expr): &(String, _)| Some((print::plain(expr), number(expr, &|_| None).ok()?.to_f64()?));

@@ -270,7 +270,7 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
     ] {
         let (Some(count), Some(first)) = (census.unfit.get(&reason), census.first.get(&reason)) else { continue };
         let message = format!(
-            "{count} of {} sets of numbers of style `{}` meet the requirements on what is given and {what}, first {}",
+            "{count} of {} sets of numbers of style `{}` are turned away by no requirement and {what}, first {}",
             out_of(census.examined, census.size),
             style.name,
             numbers(style, *first)

@@ -80,7 +80,7 @@ impl Census {
         match self.one_in {
             0 => Further::Never,
             one_in if spread <= u64::MAX / one_in => Further::Always,
-            _ => Further::OnceSolved,
+            _ => Further::OfResults,
         }
     }
 

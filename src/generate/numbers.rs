@@ -1,13 +1,13 @@
 //! One set of numbers of a style, examined: does everything hold that is required of it?
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell, RefMut};
 use std::sync::Arc;
 
 use super::sieve::Sieve;
 use super::variant::{Unfit, Variant, answer_rounds_safely, variant};
-use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
+use crate::bank::{Givens, Opened, Posed, Question, Requirement, Style, Unposed};
 use crate::expr::Expr;
-use crate::mechanics::Because;
+use crate::mechanics::{Because, Quantity};
 
 /// A set of numbers. What follows from it is worked out when it is first asked for, and once for all styles that have the
 /// same sets.
@@ -17,7 +17,30 @@ pub struct Numbers<'s> {
     sieve: &'s Sieve<'s>,
     values: OnceCell<Vec<Expr>>,
     givens: OnceCell<Result<Arc<Givens>, String>>,
-    posed: OnceCell<Result<Posed, Unfit>>,
+    worked: RefCell<Worked>,
+}
+
+/// How far the collision has been worked out.
+#[derive(Default)]
+enum Worked {
+    #[default]
+    NotAtAll,
+    /// As far as requirements have asked.
+    InPart(Opened),
+    Out(Posed),
+    /// There is none, and why.
+    Refused(Unfit),
+}
+
+impl Worked {
+    /// Does a requirement hold that names these quantities? None where that is not known yet.
+    fn meets(&mut self, requirement: &Requirement, quantities: &[Quantity]) -> Option<bool> {
+        match self {
+            Worked::InPart(opened) => opened.meets(requirement, quantities),
+            Worked::Out(posed) => Some(posed.meets(requirement)),
+            Worked::NotAtAll | Worked::Refused(_) => None,
+        }
+    }
 }
 
 /// Is a set that was turned away asked whether anything else would have turned it away too?
@@ -25,9 +48,9 @@ pub struct Numbers<'s> {
 pub enum Further {
     /// The first reason is enough.
     Never,
-    /// If it has been solved already.
-    OnceSolved,
-    /// Even if it must be solved for that.
+    /// If it was not turned away by its givens.
+    OfResults,
+    /// Even then, though its collision must be worked out for that.
     Always,
 }
 
@@ -64,8 +87,7 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
 impl<'s> Numbers<'s> {
     /// The set with an index below the size of the sieve's style.
     pub fn new(sieve: &'s Sieve<'s>, index: u64) -> Numbers<'s> {
-        let (values, givens, posed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Numbers { index, sieve, values, givens, posed }
+        Numbers { index, sieve, values: OnceCell::new(), givens: OnceCell::new(), worked: RefCell::default() }
     }
 
     /// The variant of a style that has the same sets as the one of [`Numbers::new`]; of an unfit set whether it would be
@@ -82,13 +104,20 @@ impl<'s> Numbers<'s> {
         for reason in sieve.givens_refused(self) {
             turned.away(reason)?;
         }
-        // What cannot be posed is unfit whatever is required of it.
-        let first = turned.first.clone();
-        let refused = |reason: &Unfit| self.turned_away_though_open(sieve, reason).unwrap_or_else(|| reason.clone());
-        let posed = self.posed().as_ref().map_err(|reason| (first.unwrap_or_else(|| refused(reason)), false))?;
         turned.goes_on = further != Further::Never;
-        for (place, requirement) in sieve.on_results() {
-            if !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
+        // Most sets are turned away by what can be told without working all of it out.
+        let mut untold = Vec::new();
+        for (place, requirement, quantities) in sieve.on_results() {
+            match self.begun().meets(requirement, quantities) {
+                Some(true) => {}
+                Some(false) => turned.away(Unfit::Results(place))?,
+                None => untold.push((place, requirement)),
+            }
+        }
+        let refused = |reason: Unfit| self.turned_away_though_open(sieve, &reason).unwrap_or(reason);
+        let posed = self.posed().map_err(|reason| (turned.first.clone().unwrap_or_else(|| refused(reason)), false))?;
+        for (place, requirement) in untold {
+            if !posed.meets(requirement) {
                 turned.away(Unfit::Results(place))?;
             }
         }
@@ -103,7 +132,7 @@ impl<'s> Numbers<'s> {
             None => {
                 let names = style.parameters.iter().map(|(name, _)| name.clone());
                 let parameters = names.zip(self.values().iter().cloned()).collect();
-                Ok(variant(question, style, Some(self.index), parameters, posed.clone()))
+                Ok(variant(question, style, Some(self.index), parameters, posed))
             }
         }
     }
@@ -131,15 +160,41 @@ impl<'s> Numbers<'s> {
         let givens = self.givens().ok()?.clone();
         let posed = Posed::as_far_as_determined(sieve.question, &sieve.wanted, givens).ok()??;
         let is_unmet = |requirement: &Requirement| requirement.holds(&|name| posed.meaning(name)) == Ok(false);
-        sieve.on_results().find(|(_, requirement)| is_unmet(requirement)).map(|(place, _)| Unfit::Results(place))
+        let unmet = sieve.on_results().find(|(_, requirement, _)| is_unmet(requirement));
+        unmet.map(|(place, ..)| Unfit::Results(place))
     }
 
-    fn posed(&self) -> &Result<Posed, Unfit> {
-        self.posed.get_or_init(|| {
-            let givens = self.givens().map_err(|_| Unfit::NoValue)?.clone();
-            let posed = Posed::for_wanted(self.sieve.question, &self.sieve.wanted, givens);
-            posed.map_err(|reason| Unfit::from(&reason))
-        })
+    /// The collision, worked out in part at least if there is one.
+    fn begun(&self) -> RefMut<'_, Worked> {
+        let mut worked = self.worked.borrow_mut();
+        if let Worked::NotAtAll = *worked {
+            let opened = self.givens().map_err(|_| Unfit::NoValue).and_then(|givens| {
+                Opened::new(self.sieve.question, givens.clone()).map_err(|reason| Unfit::from(&reason))
+            });
+            *worked = opened.map_or_else(Worked::Refused, Worked::InPart);
+        }
+        worked
+    }
+
+    /// The collision worked out; or why these numbers make none, whatever is required of them.
+    ///
+    /// # Errors
+    ///
+    /// That reason.
+    pub fn posed(&self) -> Result<Posed, Unfit> {
+        let mut worked = self.begun();
+        *worked = match std::mem::take(&mut *worked) {
+            Worked::InPart(opened) => {
+                let posed = opened.solve(&self.sieve.wanted).map_err(|reason| Unfit::from(&reason));
+                posed.map_or_else(Worked::Refused, Worked::Out)
+            }
+            other => other,
+        };
+        match &*worked {
+            Worked::Out(posed) => Ok(posed.clone()),
+            Worked::Refused(reason) => Err(reason.clone()),
+            Worked::NotAtAll | Worked::InPart(_) => unreachable!("it has been worked out"),
+        }
     }
 }
 

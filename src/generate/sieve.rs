@@ -31,6 +31,8 @@ pub struct Sieve<'q> {
     named: Vec<(&'q str, Table)>,
     /// Does a requirement hold? None where it is on results.
     holds: Vec<Option<Table>>,
+    /// The requirements on results, with their places and the quantities that they name.
+    on_results: Vec<(usize, &'q Requirement, Vec<Quantity>)>,
     /// What the values of each parameter mean, worked out when they are first met; none where that depends on others.
     meanings: Vec<(Digit, Vec<OnceLock<Option<Meaning>>>)>,
 }
@@ -56,14 +58,18 @@ impl<'q> Sieve<'q> {
             let names = requirement.names().map(|name| name.text.as_str());
             (!on_results).then(|| depends.table(names, most))
         };
-        let holds = style.require.iter().map(table).collect();
+        let holds: Vec<Option<Table>> = style.require.iter().map(table).collect();
+        let of_results = holds.iter().zip(&style.require).enumerate().filter(|(_, (table, _))| table.is_none());
+        let on_results = of_results
+            .map(|(place, (_, requirement))| (place, requirement, requirement.quantities(&is_given).collect()))
+            .collect();
         let meanings = depends.digits.iter().zip(&style.parameters).map(|(digit, (_, domain))| {
             let is_kept = digit.size <= most && domain.formulas().iter().all(|formula| formula.names().is_empty());
             (*digit, (0..if is_kept { digit.size } else { 0 }).map(|_| OnceLock::new()).collect())
         });
         let (wanted, meanings) = (question.wanted(style), meanings.collect());
         let names = Arc::new(GivenNames::of(style, style.parameters.iter().map(|(name, _)| name), &question.scene));
-        Sieve { question, style, wanted, names, named, holds, meanings }
+        Sieve { question, style, wanted, names, named, holds, on_results, meanings }
     }
 
     /// Are the sets of another style the same, and solved for the same?
@@ -138,10 +144,9 @@ impl<'q> Sieve<'q> {
         Some(pair.map(|place| self.style.require[place].text.as_str()))
     }
 
-    /// The requirements on results, with their places.
-    pub(super) fn on_results(&self) -> impl Iterator<Item = (usize, &'q Requirement)> {
-        let of_results = self.holds.iter().zip(&self.style.require).enumerate();
-        of_results.filter(|(_, (table, _))| table.is_none()).map(|(place, (_, requirement))| (place, requirement))
+    /// The requirements on results, with their places and the quantities that they name.
+    pub(super) fn on_results(&self) -> impl Iterator<Item = (usize, &'q Requirement, &[Quantity])> {
+        self.on_results.iter().map(|(place, requirement, quantities)| (*place, *requirement, quantities.as_slice()))
     }
 }
 

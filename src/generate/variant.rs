@@ -37,14 +37,14 @@ pub enum Unfit {
     Givens(usize),
     /// A formula has no value.
     NoValue,
+    /// A requirement on results does not hold: its place in the style's list.
+    Results(usize),
     /// The collision cannot happen.
     Impossible,
     /// It leaves something open.
     Underdetermined,
     /// Exam methods do not reach it.
     BeyondMethods,
-    /// A requirement on results does not hold: its place in the style's list.
-    Results(usize),
     /// An answer lies too near a tie to be rounded: its place among all answers.
     Tie(usize),
 }

@@ -37,17 +37,17 @@ pub struct Found {
     pub remarks: Vec<String>,
     /// The values of the other solutions, which are as possible.
     others: Vec<Vec<Value>>,
-    /// What was derived when the values were put back; none where nothing was.
-    pub derived: Option<Known<Value>>,
+    /// Where values were put back: what was given then, and all that is known then, which begins with it.
+    pub worked: Option<(Known<Value>, Known<Value>)>,
     /// What they were found from; none where nothing was to be found.
     posed: Option<Arc<Posed>>,
 }
 
 impl Found {
     /// A scene that is its own only solution.
-    fn given(scene: Arc<Scene>) -> Found {
+    pub fn given(scene: Arc<Scene>) -> Found {
         let (values, remarks, others) = (Vec::new(), Vec::new(), Vec::new());
-        Found { scene, values, range: None, remarks, others, derived: None, posed: None }
+        Found { scene, values, range: None, remarks, others, worked: None, posed: None }
     }
 
     fn from(posed: Arc<Posed>, scene: Scene) -> Found {
@@ -333,13 +333,12 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
     }
     let scene = substituted(&posed.scene, unknowns, values)
         .ok_or_else(|| Reason::Not("a quantity does not exist there".to_owned()))?;
-    let mut known = pose(&scene).map_err(|refusal| refusal.reason)?;
-    let derived = check(&known).map_err(|refusal| refusal.reason)?;
-    Derivation::carry_out_with(&mut known, &derived, &posed.asked);
-    for given in &posed.scene.conditions {
+    let given = pose(&scene).map_err(|refusal| refusal.reason)?;
+    let mut known = check(&given).map_err(|refusal| refusal.reason)?;
+    Derivation::carry_on(&mut known, given.0.len(), &posed.asked);
+    for own in &posed.scene.conditions {
         let put_back = |expr: &Expr| put_back(expr, unknowns, values);
-        let condition =
-            Condition { left: put_back(&given.left), relation: given.relation, right: put_back(&given.right) };
+        let condition = Condition { left: put_back(&own.left), relation: own.relation, right: put_back(&own.right) };
         let relation = Expr::equation(condition.left.clone(), condition.right.clone());
         let letters = |name: &str| {
             let place = unknowns.iter().position(|unknown| unknown.name() == name);
@@ -356,10 +355,12 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
                 let relation = print::plain(&relation);
                 return Err(format!("it does not satisfy `{relation}`: the direction would be opposite").into());
             }
-            Err(_) if let Some(reason) = without_direction(&relation, &known, &derived) => return Err(reason.into()),
+            Err(_) if let Some(reason) = without_direction(&relation, &known, given.0.len()) => {
+                return Err(reason.into());
+            }
             _ if gap().is_ok_and(|gap| vanishes(&gap.value)) => {}
             // What it speaks of has no short exact form there.
-            Err(_) if posed.holds_at(given, values).ok_or(Reason::Undecided)? => {}
+            Err(_) if posed.holds_at(own, values).ok_or(Reason::Undecided)? => {}
             _ if posed.scene.conditions.len() > 1 => {
                 return Err(format!("it does not satisfy `{}`", print::plain(&relation)).into());
             }
@@ -370,7 +371,7 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
         posed.is_maximum(quantity, values)?;
     }
     let values: Vec<(Letter, Value)> = unknowns.iter().copied().zip(values.iter().cloned()).collect();
-    Ok(Found { values, remarks, derived: Some(derived), ..Found::from(Arc::clone(posed), scene) })
+    Ok(Found { values, remarks, worked: Some((given, known)), ..Found::from(Arc::clone(posed), scene) })
 }
 
 /// Longer equations would not help a reader.

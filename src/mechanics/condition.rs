@@ -3,7 +3,7 @@
 use super::law::Known;
 use super::refusal::Refusal;
 use super::scene::Condition;
-use super::{Datum, Moment, Quantity, Sphere};
+use super::{Axis, Datum, Derivation, Moment, Quantity, Sphere};
 use crate::expr::{Expr, Fault, Meaning, Relation, Turn, evaluate, print, written};
 use crate::number::{Angle, Fraction, Letter, Range, Value};
 
@@ -93,11 +93,12 @@ pub(super) fn name_of(name: &str, letters: &dyn Fn(&str) -> Option<Meaning>, kno
     }
 }
 
-/// What is wrong with a condition that speaks of the direction of a sphere at rest, by what was derived when it was tried.
-pub(super) fn without_direction(relation: &Expr, known: &Known<Value>, derived: &Known<Value>) -> Option<String> {
+/// What is wrong with a condition that speaks of the direction of a sphere at rest, by what follows from what is given, the
+/// first so many entries of what is known.
+pub(super) fn without_direction(relation: &Expr, known: &Known<Value>, given: usize) -> Option<String> {
     let mut quantities = relation.names().into_iter().filter_map(|name| name.text.parse::<Quantity>().ok());
     let missing = quantities.find(|quantity| {
-        let rests = |(sphere, moment)| is_at_rest(derived, quantity.impact(), sphere, moment);
+        let rests = |(sphere, moment)| is_at_rest(known, given, quantity.impact(), sphere, moment);
         !known.0.contains_key(quantity) && of_directions(*quantity).into_iter().any(rests)
     })?;
     Some(format!("there `{missing}` has no value, since a sphere at rest has no direction"))
@@ -118,15 +119,15 @@ fn of_directions(quantity: Quantity) -> Vec<(Sphere, Moment)> {
     }
 }
 
-/// Is every component of a velocity known and nought?
-fn is_at_rest(known: &Known<Value>, impact: u8, sphere: Sphere, moment: Moment) -> bool {
-    let is_its = |quantity: &Quantity| {
-        quantity.impact() == impact
-            && matches!(quantity.of_its_impact(), Quantity::Velocity(of, at, _) if (of, at) == (sphere, moment))
-    };
-    let mut components = known.0.iter().filter(|(quantity, _)| is_its(quantity)).peekable();
-    components.peek().is_some()
-        && components.all(|(_, datum)| matches!(datum, Datum::Number(component) if component.is_zero()))
+/// Are both components of a velocity nought, in whichever axes they follow?
+fn is_at_rest(known: &Known<Value>, given: usize, impact: u8, sphere: Sphere, moment: Moment) -> bool {
+    let mut known = known.clone();
+    [[Axis::X, Axis::Y], [Axis::N, Axis::T]].into_iter().any(|axes| {
+        let components = axes.map(|axis| Quantity::Velocity(sphere, moment, axis).in_impact(impact));
+        let components: Vec<Quantity> = components.into_iter().flatten().collect();
+        Derivation::carry_on(&mut known, given, &components);
+        components.iter().all(|component| known.number(*component).is_some_and(|value| value.is_zero()))
+    })
 }
 
 /// What a condition makes nought.

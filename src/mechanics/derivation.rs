@@ -146,6 +146,40 @@ impl Derivation {
         Ok(())
     }
 
+    /// Derives more from what is given, the first so many entries of what is known. What was derived earlier stands after it; it
+    /// is not derived again, and does not decide by which steps.
+    pub fn carry_on<N: Number>(known: &mut Known<N>, given: usize, asked: &[Quantity]) {
+        Derivation::carry_on_with(known, given, asked, &mut |_, _| {});
+    }
+
+    /// The same, where `otherwise` may add what a step would give before that is taken.
+    pub fn carry_on_with<N: Number>(
+        known: &mut Known<N>,
+        given: usize,
+        asked: &[Quantity],
+        otherwise: &mut dyn FnMut(&Rule, &mut Known<N>),
+    ) {
+        let is_there = |step: &Rule, known: &Known<N>| step.gives.iter().all(|quantity| known.0.contains_key(quantity));
+        let mut banned = Vec::new();
+        loop {
+            let plan = Plan::on(Road::Shortest, known.0.placed_as_entered().take(given), asked, &banned);
+            let is_dead_end = |step: &&&'static Rule| {
+                if !is_there(step, known) {
+                    otherwise(step, known);
+                }
+                if is_there(step, known) {
+                    return false;
+                }
+                let found = step.evaluate(known);
+                let is_none = found.is_none();
+                found.into_iter().for_each(|found| enter(step, found, known));
+                is_none
+            };
+            let Some(step) = plan.derivation.steps.iter().find(is_dead_end) else { return };
+            banned.push(*step);
+        }
+    }
+
     /// Plans and evaluates, going round steps whose results do not exist. Returns the derivation and
     /// the asked quantities that are not to be had.
     pub fn carry_out<N: Number>(known: &mut Known<N>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {

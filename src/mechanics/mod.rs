@@ -50,5 +50,5 @@ pub use seen::{Seen, Shape};
 pub use setting::{Setting, with_letter_of_restitution};
 pub use sought::{Sought, Vanishing};
 pub use unknowns::with_letters;
-pub use validity::{Broken, broken_laws, check, check_from, demanding};
+pub use validity::{Broken, broken_laws, check, check_on, demanding};
 pub use working::Show;

@@ -152,6 +152,11 @@ impl<T> Quantities<T> {
         self.entries.iter().map(|entry| (entry.quantity, usize::from(entry.place)))
     }
 
+    /// The quantities as they were entered, unless some have been taken out since.
+    pub fn as_entered(&self) -> impl ExactSizeIterator<Item = Quantity> {
+        self.entries.iter().map(|entry| entry.quantity)
+    }
+
     /// All of it, to be changed, in any order.
     pub fn values_mut(&mut self) -> impl Iterator<Item = (&Quantity, &mut T)> {
         self.entries.iter_mut().map(|entry| (&entry.quantity, &mut entry.about))

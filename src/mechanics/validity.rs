@@ -12,32 +12,33 @@ use super::{Axis, Derivation, Moment, Quantity, Sphere};
 use crate::expr::{print, written};
 use crate::number::{Letter, Value};
 
-/// Refuses what cannot happen, as far as what is known determines it; all that was derived on the way.
+/// Refuses what cannot happen, as far as what is given determines it; all that was derived on the way.
 ///
 /// # Errors
 ///
 /// The first reason found.
-pub fn check(known: &Known<Value>) -> Result<Known<Value>, Refusal> {
-    check_from(known, known.clone())
+pub fn check(given: &Known<Value>) -> Result<Known<Value>, Refusal> {
+    check_on(given, given.clone())
 }
 
-/// The same from all that is known when some of what follows has been computed already.
+/// The same where what is given is the beginning of what is known, and some of what follows has been derived already.
 ///
 /// # Errors
 ///
 /// The first reason found.
-pub fn check_from(known: &Known<Value>, mut all: Known<Value>) -> Result<Known<Value>, Refusal> {
-    for meeting in [Meeting::FIRST].into_iter().chain(Meeting::all(known.0.keys())) {
-        let given = Here::at(meeting, known);
-        let sides = sides(&given).into_iter().map(|quantity| meeting.quantity(quantity));
-        Derivation::carry_out(&mut all, &sides.collect::<Vec<_>>());
+pub fn check_on(given: &Known<Value>, mut known: Known<Value>) -> Result<Known<Value>, Refusal> {
+    let impacts = [Meeting::FIRST].into_iter().chain(Meeting::all(given.0.keys()));
+    for meeting in impacts {
+        let here = Here::at(meeting, given);
+        let sides = sides(&here).into_iter().map(|quantity| meeting.quantity(quantity));
+        Derivation::carry_on(&mut known, given.0.len(), &sides.collect::<Vec<_>>());
         // The line of a later impact goes from the one sphere to the other wherever the earlier one has left them.
         let line_is_given =
-            meeting.number > 0 || given.knows(Quantity::Line(Axis::X)) || given.knows(Quantity::ContactSine);
-        let checked = one(&Here::at(meeting, &all), given.knows(Quantity::Restitution), line_is_given);
+            meeting.number > 0 || here.knows(Quantity::Line(Axis::X)) || here.knows(Quantity::ContactSine);
+        let checked = one(&Here::at(meeting, &known), here.knows(Quantity::Restitution), line_is_given);
         checked.map_err(|refusal| if meeting.number > 0 { refusal.at(meeting) } else { refusal })?;
     }
-    Ok(all)
+    Ok(known)
 }
 
 /// One impact, of which the coefficient of restitution and the line of centres may be given or have come out.
@@ -295,10 +296,17 @@ fn broken(known: &Here<Value>) -> Vec<Broken> {
 /// The laws speak of no more quantities than these.
 const MOST_SIDES: usize = 18;
 
-/// What the laws speak of.
+/// What the laws speak of, and can be at odds with what is given.
 fn sides(known: &Here<Value>) -> Vec<Quantity> {
     let moments = [Moment::Before, Moment::After];
     let mut asked = Vec::with_capacity(MOST_SIDES);
+    if is_of_an_impulse(known) {
+        asked.push(MASSES[0]);
+        for axis in [Axis::X, Axis::Y] {
+            asked.extend(moments.map(|moment| Quantity::Velocity(Sphere::A, moment, axis)));
+        }
+        return asked;
+    }
     asked.extend([Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0]]);
     // Of what stands still before and after, as a wall does, no mass follows; and of masses that are given no ratio is asked.
     let stands_still = || ALONG.into_iter().skip(1).step_by(2).all(|along| is_nought(known, along));
@@ -306,13 +314,24 @@ fn sides(known: &Here<Value>) -> Vec<Quantity> {
         asked.extend([MASSES[1], Quantity::MassRatio]);
     }
     asked.extend(ALONG);
-    for sphere in Sphere::BOTH {
+    // Where nothing is given of how a sphere moves after the impact, it is known only because nothing changes across the line.
+    for sphere in Sphere::BOTH.into_iter().filter(|sphere| is_given_after(known, *sphere)) {
         asked.extend(moments.map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));
     }
-    if given_impulse(known).is_some() {
-        for axis in [Axis::X, Axis::Y] {
-            asked.extend(moments.map(|moment| Quantity::Velocity(Sphere::A, moment, axis)));
-        }
-    }
     asked
+}
+
+/// An impulse on one body, from nothing that moves: no line of centres and no *e*, only a momentum that changes.
+fn is_of_an_impulse(given: &Here<Value>) -> bool {
+    let of_b = Quantity::Velocity(Sphere::B, Moment::Before, Axis::N);
+    given.knows(Quantity::SphereEnergyLost(Sphere::B)) && !given.knows(of_b)
+}
+
+fn is_given_after(given: &Here<Value>, sphere: Sphere) -> bool {
+    let after = Moment::After;
+    let components = [Axis::X, Axis::Y].map(|axis| Quantity::Velocity(sphere, after, axis));
+    [Quantity::Speed(sphere, after), Quantity::GivenDirection(sphere, after)]
+        .into_iter()
+        .chain(components)
+        .any(|quantity| given.knows(quantity))
 }

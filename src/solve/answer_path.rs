@@ -22,11 +22,11 @@ const BEFORE: [Quantity; 7] = [
     Quantity::Velocity(Sphere::B, Moment::Before, Axis::T),
 ];
 
-/// The path to the components after the impact with all that is known on it, if all that it starts from follows from what is
-/// given. Where a velocity after is
-/// given as well, the steps themselves must say whether the two agree. Some of what follows may have been derived already.
-pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Option<(AnswerPath, Known<Value>)> {
-    let of_after = |quantity: &Quantity| {
+/// The path to the components after the impact, if all that it starts from follows from what is given, the first so many
+/// entries of what is known; and what is found on it is known then. Where a velocity after is given as well, the steps
+/// themselves must say whether the two agree.
+pub(super) fn answer_path(known: &mut Known<Value>, given: usize) -> Option<AnswerPath> {
+    let of_after = |quantity: Quantity| {
         use Quantity::{GivenDirection, Speed, Velocity};
         // Of a direct impact it is given that nothing is across.
         matches!(
@@ -34,18 +34,17 @@ pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Optio
             Velocity(_, Moment::After, Axis::X | Axis::N) | Speed(_, Moment::After) | GivenDirection(_, Moment::After)
         )
     };
-    if given.0.keys().any(of_after) {
+    if known.0.as_entered().take(given).any(of_after) {
         return None;
     }
-    let mut computed = given.clone();
-    Derivation::carry_out_with(&mut computed, derived, &BEFORE);
-    let impact = impact(&computed)?;
+    Derivation::carry_on(known, given, &BEFORE);
+    let impact = impact(known)?;
     let selection = Selection::of(&impact, Wanted::ExactForm);
     let Found::Exact(after) = selection.solve(&impact) else { return None };
     for (quantity, [along, _]) in ALONG[2..].iter().zip(after) {
-        computed.0.insert_new(*quantity, Datum::Number(along));
+        known.0.insert_new(*quantity, Datum::Number(along));
     }
-    Some(((impact, selection), computed))
+    Some((impact, selection))
 }
 
 /// The impact in the axes of the line of centres.

@@ -1,9 +1,11 @@
 //! A scene solved: the derivation carried out in exact numbers, with its working.
 
 mod answer_path;
+mod begun;
 mod inexact;
 mod report;
 
+pub use begun::Begun;
 pub use inexact::Inexact;
 pub use report::{Answer, Report, StepReport, report};
 
@@ -15,8 +17,8 @@ use answer_path::{AnswerPath, answer_path};
 
 use crate::expr::{Expr, in_degrees, print, written, written_angle};
 use crate::mechanics::{
-    Derivation, Found, Known, Line, Meeting, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards,
-    check_from, pose,
+    Derivation, Found, Known, Line, Meeting, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards, check_on,
+    pose,
 };
 use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
@@ -44,13 +46,7 @@ pub fn solve(scene: impl Into<Arc<Scene>>, asked: &[Quantity]) -> Result<Solutio
         let values: Vec<String> = solutions.iter().map(Solution::found_in_words).collect();
         return Err(Refusal::underdetermined(format!("more than one value is possible: {}", values.join("; or "))));
     }
-    let solution = solutions.remove(0);
-    let missing: Vec<String> =
-        asked.iter().filter(|quantity| !solution.knows(**quantity)).map(|quantity| format!("`{quantity}`")).collect();
-    if missing.is_empty() {
-        return Ok(solution);
-    }
-    Err(Refusal::underdetermined(format!("what is given does not determine {}", missing.join(", "))))
+    solutions.remove(0).with_all_asked()
 }
 
 /// Every solution of a scene, with those of the quantities asked that are determined. There is more
@@ -68,18 +64,18 @@ pub fn solve_all(scene: impl Into<Arc<Scene>>, asked: &[Quantity]) -> Result<Vec
 fn all_solutions(scene: Arc<Scene>, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
     let roots = backwards(scene)?;
     let one = |mut root: Found| -> Result<Solution, Refusal> {
-        let given = pose(&root.scene)?;
-        let nothing = Known::default();
-        let (path, computed) = answer_path(&given, root.derived.as_ref().unwrap_or(&nothing)).unzip();
-        let computed = match root.derived.take() {
-            // It was examined when it was put back.
-            Some(derived) => derived,
-            None => check_from(&given, computed.unwrap_or_else(|| given.clone()))?,
+        let worked = root.worked.take();
+        let is_checked = worked.is_some();
+        let (given, mut known) = match worked {
+            Some(worked) => worked,
+            None => {
+                let given = pose(&root.scene)?;
+                (given.clone(), given)
+            }
         };
-        root.remarks.extend(needed(&root.scene, &computed));
-        let mut known = given.clone();
-        let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
-        Ok(Solution { root, asked: asked.to_vec(), given, known, derivation, path })
+        let path = answer_path(&mut known, given.0.len());
+        let known = if is_checked { known } else { check_on(&given, known)? };
+        Ok(Solution::of(root, given, path, &known, asked))
     };
     roots.into_iter().map(one).collect()
 }
@@ -117,6 +113,30 @@ fn needed(scene: &Scene, computed: &Known<Value>) -> Vec<String> {
 }
 
 impl Solution {
+    /// From all that is known of it.
+    fn of(
+        mut root: Found,
+        given: Known<Value>,
+        path: Option<AnswerPath>,
+        computed: &Known<Value>,
+        asked: &[Quantity],
+    ) -> Solution {
+        root.remarks.extend(needed(&root.scene, computed));
+        let mut known = given.clone();
+        let (derivation, _) = Derivation::carry_out_with(&mut known, computed, asked);
+        Solution { root, asked: asked.to_vec(), given, known, derivation, path }
+    }
+
+    /// The same, if all that was asked follows from what is given.
+    fn with_all_asked(self) -> Result<Solution, Refusal> {
+        let missing = self.asked.iter().filter(|quantity| !self.knows(**quantity));
+        let missing: Vec<String> = missing.map(|quantity| format!("`{quantity}`")).collect();
+        if missing.is_empty() {
+            return Ok(self);
+        }
+        Err(Refusal::underdetermined(format!("what is given does not determine {}", missing.join(", "))))
+    }
+
     /// The scene, unknowns replaced by what was found.
     pub fn scene(&self) -> &Scene {
         &self.root.scene
