@@ -57,13 +57,8 @@ impl KeyedQuestion {
         let mut derived = known.clone();
         let earlier = self.earlier_velocities(meeting, axes);
         Derivation::carry_out(&mut derived, &[wanted.clone(), earlier.clone()].concat());
-        let numbers = |of: &[Quantity]| {
-            let number = |quantity: &Quantity| match derived.0.get(quantity)? {
-                Datum::Number(value) => Some(value.clone()),
-                _ => None,
-            };
-            of.iter().filter_map(number).collect::<Vec<Value>>()
-        };
+        let numbers =
+            |of: &[Quantity]| of.iter().filter_map(|quantity| derived.number(*quantity)).collect::<Vec<Value>>();
         let elsewhere = self.elsewhere.at(numbers(&wanted), numbers(&earlier));
         let mut given = meeting.known(&known);
         for (quantity, later) in begins.into_iter().zip(&wanted) {

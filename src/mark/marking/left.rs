@@ -12,18 +12,21 @@ use crate::answer::Kind;
 use crate::bank::{Code, Find};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::award::{Award, Place};
-use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others};
+use crate::mark::judging::{Judgement, Note, Verdict, dimension, is_made_of_others, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Form, Reading, Said, Statement};
+use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::{Examined, goes_on, typed_lines};
 use crate::mechanics::{Moment, Quantity};
+use crate::unit::Unit;
 
 /// The last lines of the working of a part, as many as it has blanks.
 pub(super) struct Left<'s> {
     part: &'s KeyedPart,
     /// Each with its number in the working; the last line first.
     lines: Vec<(usize, &'s str)>,
+    /// All of them, in their order.
+    all: Vec<&'s str>,
     /// What stands left of the equals sign in the line that the last one goes on from, with an equals sign in front.
     begun: Option<&'s str>,
     /// What the lines earn, a mark each.
@@ -39,8 +42,9 @@ impl<'s> Left<'s> {
         let goes_on = |(_, line): &&(usize, &str)| goes_on(line);
         let begun = lines.first().filter(goes_on).and_then(|_| lines.iter().find(|line| !goes_on(line)));
         let begun = begun.and_then(|(_, line)| line.split_once('=')).map(|(name, _)| name);
+        let all = lines.iter().rev().map(|(_, line)| *line).collect();
         lines.truncate(part.blanks.len());
-        Left { part, lines, begun, by_lines: &examined.awards, examined }
+        Left { part, lines, all, begun, by_lines: &examined.awards, examined }
     }
 
     /// The last line, if it has the right answers to all of several blanks: `v = 3, w = 5`.
@@ -67,14 +71,16 @@ impl<'s> Left<'s> {
             return None;
         }
         let is_range = blank.model.kind == Kind::Range;
-        self.lines.iter().find_map(|(number, line)| {
+        let in_a_line = self.lines.iter().find_map(|(number, line)| {
             let line = if is_range { concluded(line) } else { line };
             let has_method = self.has_method(place, *number);
             let shows_method = self.works_out(place, *number);
             // Both components of a vector are its method.
             let has_method = has_method || shows_method && blank.model.kind == Kind::Vector;
             let may_work_out = shows_method && line.contains('=');
-            if !has_method && !may_work_out && !calls_something(line) && self.begun.is_none() {
+            let is_called = calls_something(line) || is_range && is_inequality(line);
+            let is_called = is_called || self.is_lone_value(line);
+            if !has_method && !may_work_out && !is_called && self.begun.is_none() {
                 return None;
             }
             let mut readings = lines.read(line, &blank.model.vocabulary);
@@ -115,14 +121,60 @@ impl<'s> Left<'s> {
             };
             // `45 - 18.4 = 26.6`: the line itself is the method.
             let is_end = || in_letters || may_work_out && statements.iter().all(is_worked_out);
-            let is_answer = || has_method || is_end() || statements.iter().any(is_called) || is_begun();
+            let is_root = self.is_root(blank, *number, statements, lines);
+            let is_result = is_result || is_root;
+            let is_unit = self.is_lone_value(line) && has_own_unit(blank, statements);
+            let is_answer =
+                || has_method || is_root || is_unit || is_end() || statements.iter().any(is_called) || is_begun();
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
             if !(is_alone && is_result && is_answer()) || is_of_other() {
                 return None;
             }
             let found = judged(ends.as_deref().unwrap_or(line));
             is_right(&found.judgement).then_some((line, found))
-        })
+        });
+        in_a_line.or_else(|| self.ends_of_range(judged).filter(|_| is_range))
+    }
+
+    /// Is a line, after others, a value with its unit and nothing else: `85.6°`?
+    fn is_lone_value(&self, line: &str) -> bool {
+        let is_figures = line.trim_start().starts_with(|sign: char| sign.is_ascii_digit());
+        self.part.blanks.len() == 1 && self.all.len() > 1 && is_figures && !line.contains('=')
+    }
+
+    /// Does a line end in a letter of which an equation before, there or on the line before, holds for the right value:
+    /// `v cos 30° = 5, v = 10√3/3`?
+    fn is_root(&self, blank: &KeyedBlank, number: usize, statements: &[Statement], lines: &Lines) -> bool {
+        let [before @ .., Statement { label: Some(Label { expr: Some(Expr::Name(letter)), .. }), .. }] = statements
+        else {
+            return false;
+        };
+        let holds = |statement: &Statement| {
+            let label = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+            let has_letter = label.is_some_and(|label| label.names().iter().any(|name| name.text == letter.text));
+            let reading =
+                || Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
+            let note = || judge(&blank.model, &Ok(vec![reading()])).note;
+            has_letter && [Note::Unsolved, Note::SquareLeft].iter().any(|open| note() == Some(open.tag()))
+        };
+        let on_line_before = |line: &&str| {
+            let readings = lines.read(line, &blank.model.vocabulary);
+            let reading = readings.as_ref().as_ref().ok().and_then(|readings| readings.first());
+            reading.is_some_and(|reading| reading.statements.iter().any(holds))
+        };
+        before.iter().any(holds) || number.checked_sub(2).and_then(|at| self.all.get(at)).is_some_and(on_line_before)
+    }
+
+    /// A right range of which either end stands on a line of its own, the last two.
+    fn ends_of_range(&self, judged: &mut dyn FnMut(&str) -> Rc<Judged>) -> Option<(&'s str, Rc<Judged>)> {
+        let [(_, last)] = self.lines.as_slice() else { return None };
+        let [.., before_last, _] = self.all.as_slice() else { return None };
+        let ends = [*before_last, *last].map(concluded);
+        if !ends.iter().all(|end| is_inequality(end)) {
+            return None;
+        }
+        let found = judged(&ends.join(" and "));
+        is_right(&found.judgement).then_some((last, found))
     }
 
     /// The line that calls something the answer to a blank, right or wrong, and how that is read.
@@ -229,6 +281,22 @@ fn is_of_angle(statement: &Statement) -> bool {
     is_ratio || statement.said.last().is_some_and(|said| said.unit.as_ref().is_some_and(|unit| unit.degrees))
 }
 
+/// Is it a value in the unit of an angle, an energy or an impulse that is asked, to three figures at least? Of fewer figures, or
+/// of a speed, it may be a value on the way.
+fn has_own_unit(blank: &KeyedBlank, statements: &[Statement]) -> bool {
+    let [Statement { label: None, said }] = statements else { return false };
+    let [Said { form: Form::Value(Expr::Decimal(figures)), unit: Some(unit), .. }] = said.as_slice() else {
+        return false;
+    };
+    let is_asked = match &blank.find {
+        Find::Quantity(quantity) if quantity.unit() != Unit::MetrePerSecond => {
+            quantity.is_angle() && unit.degrees || dimension(quantity.unit()) == unit.dimension && !unit.degrees
+        }
+        _ => false,
+    };
+    is_asked && figures.chars().filter(char::is_ascii_digit).count() >= 3
+}
+
 /// Is it found by an inverse tangent, sine or cosine?
 fn is_inverse(said: &Said) -> bool {
     matches!(&said.form, Form::Value(Expr::Call(Function::Atan | Function::Asin | Function::Acos, _)))
@@ -246,9 +314,12 @@ fn is_formula(label: &str) -> bool {
         || label.contains(['+', '-', '−', '*', '×', '/', '(', '^', '²', '√'])
 }
 
+fn is_inequality(text: &str) -> bool {
+    text.contains(['<', '>', '≤', '≥'])
+}
+
 /// What is concluded in a line about a range: `e > 3/4` from `v < 0 so e > 3/4`.
 fn concluded(line: &str) -> &str {
-    let is_inequality = |text: &str| text.contains(['<', '>', '≤', '≥']);
     let ends = [" so ", "⇒", "=>", "∴", "hence ", "therefore ", "then ", "gives ", ","];
     let cuts = ends.iter().filter_map(|end| line.rfind(end).map(|at| at + end.len()));
     let cut = cuts.filter(|at| is_inequality(&line[..*at].replace("=>", ""))).max().unwrap_or_default();

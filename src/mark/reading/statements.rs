@@ -84,6 +84,13 @@ pub(super) struct Statements<'a> {
 }
 
 impl Statements<'_> {
+    /// Is it a word that leads on from what stands before?
+    fn is_conclusion(&self, placed: &Placed) -> bool {
+        let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
+        placed.token == Token::Phrase(Phrase::Joiner)
+            && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "also" | "but" | "&")
+    }
+
     fn segment(&mut self, tokens: &[Placed], concludes: bool) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
         let reason = reason.or_else(|| self.condition_of_multiplier(tokens)).or_else(|| self.place_of_a_number(tokens));
@@ -99,15 +106,13 @@ impl Statements<'_> {
             self.remark(self.slice(words).to_lowercase());
             return self.segment(condition, concludes);
         }
-        if let Some((label, said)) = self.range_in_words(tokens)? {
+        // `so k lies between 2 and 3`
+        let begun = tokens.iter().take_while(|placed| self.is_conclusion(placed)).count();
+        if let Some((label, said)) = self.range_in_words(&tokens[begun..])? {
             self.found.push(Statement { label, said: vec![said] });
             return Ok(());
         }
-        let conclusion = |placed: &Placed| {
-            let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
-            placed.token == Token::Phrase(Phrase::Joiner)
-                && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "also" | "but" | "&")
-        };
+        let conclusion = |placed: &Placed| self.is_conclusion(placed);
         // `and` only adds.
         let draws = |placed: &Placed| {
             let word = self.slice(std::slice::from_ref(placed)).to_lowercase();

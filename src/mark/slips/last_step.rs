@@ -40,6 +40,21 @@ pub(super) const BEFORE_FOR_AFTER: LastStep = LastStep {
     did: "gave the value before the impact",
     sentence: "That is the value before the impact: the one after it is asked for.",
 };
+pub(super) const ONE_SIGN: LastStep = LastStep {
+    tag: "sign-of-one",
+    did: "gave one component of a vector the opposite sign",
+    sentence: "One component has the opposite sign: check which way each of them points.",
+};
+pub(super) const NOT_RECOMBINED: LastStep = LastStep {
+    tag: "not-recombined",
+    did: "gave the components along the line of centres and across it for those along i and j",
+    sentence: "Those are the components along the line of centres and perpendicular to the line of centres: multiply each by its unit vector and add.",
+};
+pub(super) const AXIS_ASSUMED: LastStep = LastStep {
+    tag: "axis-assumed",
+    did: "took a wall that slants to be parallel to i or j",
+    sentence: "The wall is parallel to neither i nor j: resolve the velocity along the wall and perpendicular to it first.",
+};
 pub(super) const ENERGY_AT_ONE_MOMENT: LastStep = LastStep {
     tag: "energy-not-lost",
     did: "gave the energy before or after the impact for the loss",
@@ -57,13 +72,16 @@ pub(in crate::mark) const ANOTHER_ANSWER: LastStep = LastStep {
 };
 
 /// All of them: first what is right but for its form, then what is something else.
-pub(super) const ALL: [LastStep; 9] = [
+pub(super) const ALL: [LastStep; 12] = [
     SIGN,
     FACTOR_OF_TEN,
     RADIANS,
     OTHER_SPHERE,
     ONE_COMPONENT,
     BEFORE_FOR_AFTER,
+    NOT_RECOMBINED,
+    AXIS_ASSUMED,
+    ONE_SIGN,
     ENERGY_AT_ONE_MOMENT,
     LOSS_FOR_FRACTION,
     ANOTHER_ANSWER,

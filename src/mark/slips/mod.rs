@@ -17,6 +17,8 @@ mod shown;
 mod table;
 #[cfg(test)]
 mod tests;
+
+mod vector_steps;
 mod ways;
 mod written;
 

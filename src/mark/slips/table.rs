@@ -8,6 +8,7 @@ use super::asked::Asked;
 use super::backwards::Backwards;
 use super::last_step::{ANOTHER_ANSWER, FACTOR_OF_TEN, LastStep, RADIANS, SIGN, has_a_sense, taken_for};
 use super::sample::Sample;
+use super::vector_steps::vector_steps;
 use super::written::Written;
 
 /// A number, or the components of a vector.
@@ -182,6 +183,7 @@ impl Answer {
             let values: Option<Values> = taken.iter().map(|taken| value(known.0.get(&taken[place].0)?)).collect();
             found.extend(values.map(|values| (values, taken[0][place].1)));
         }
+        found.extend(vector_steps(self.quantities(), &self.truth, known));
         for other in answers.iter().filter(|other| other.truth.len() == 1 && self.truth.len() == 1) {
             if other.asked != self.asked && other.is_angle() == self.is_angle() {
                 found.push((other.truth.clone(), ANOTHER_ANSWER));

@@ -370,6 +370,12 @@ fn is_at_rest_before<N: Number>(known: &Here<N>, sphere: Sphere) -> bool {
     components(known, sphere, Moment::Before).is_some_and(|both| both.iter().all(N::is_nought))
 }
 
+/// Is B a wall, which has no mass and never moves?
+fn is_at_wall<N: Number>(known: &Here<N>) -> bool {
+    let after = known.number(velocity(Sphere::B, Moment::After, Axis::N));
+    !known.knows(Quantity::Mass(Sphere::B)) && after.is_some_and(|after| after.is_nought())
+}
+
 fn first_equation(lines: &[Line]) -> Option<Expr> {
     lines.iter().find_map(|line| line.equations.first().cloned())
 }

@@ -2,7 +2,7 @@
 //!
 //! `t·v = t·u` for each sphere by itself.
 
-use super::{Seen, Here, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, velocity};
+use super::{Seen, Here, Law, Line, MASSES, Outcome, Rule, Show, Slip, is_at_wall, number, rule, velocity};
 use crate::expr::print::plain;
 use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
@@ -49,7 +49,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "wrong-axis",
         did: "let the components across the line of centres change and kept those along it",
         sentence: "It is along the line of centres that velocities change; the components perpendicular to the line of centres are unchanged.",
-        also: &[Law::Solve, Law::Impulse],
+        also: &[Law::Solve, Law::Restitution, Law::Impulse],
         condoned: false,
     },
 ];
@@ -75,6 +75,8 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N
         "e-on-perpendicular" => number(known.number(Quantity::Restitution)? * component),
         "perpendicular-dropped" => number(component.nought()),
         "perpendicular-shared" => number(shared(known)?),
+        // Turned back along the wall.
+        "wrong-axis" if is_at_wall(known) => number(-(known.number(Quantity::Restitution)? * component)),
         "wrong-axis" => {
             // The impact as it would be along the tangent.
             let across = Sphere::BOTH.map(|sphere| velocity(sphere, Before, T));

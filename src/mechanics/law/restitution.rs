@@ -4,7 +4,7 @@
 
 use smallvec::smallvec;
 
-use super::{Seen, ALONG, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, velocity, with_inputs};
+use super::{Seen, ALONG, Datum, Here, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, is_at_wall, number, rule, unresolved, velocity, with_inputs};
 use crate::expr::{Expr, written};
 use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::mechanics::formula::{difference, times};
@@ -202,6 +202,8 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Here<N>) -> Outcome<N
             let one = at(a)?.one();
             Some(smallvec![Datum::Equation([one.clone(), one.nought(), one.nought()])])
         }
+        // The component that a wall turns back was taken to stay.
+        "wrong-axis" if rule.gives[0] == x && is_at_wall(known) => number(at(a)?),
         "e-taken-as-1" => with_inputs(rule, known, &[(e, at(e)?.one())]),
         "coalesce" => with_inputs(rule, known, &[(e, at(e)?.nought())]),
         "e-full-speeds" if rule.form == OF_E => {

@@ -1,5 +1,6 @@
 //! What a student's own equations come to for a letter: `8 = 4e` has not led to `e = 1/2`.
 
+use super::brackets::{bracketed, is_same};
 use super::{are_apart_either_way, is_unfinished, middle};
 use crate::expr::Expr;
 use crate::mark::working::examine::{Working, context, value};
@@ -23,29 +24,49 @@ impl Working<'_> {
         let own = value(&member.expr, self.prepared, &self.prepared.names);
         let Some(own) = own.map(|values| values.iter().map(middle).collect::<Root>()) else { return false };
         let roots = self.roots_for(letter);
-        !roots.is_empty()
-            && roots.iter().all(|root| root.iter().zip(&own).all(|(root, own)| are_apart_either_way(*root, *own)))
+        let is_apart = |root: &Root| root.iter().zip(&own).all(|(root, own)| are_apart_either_way(*root, *own));
+        !roots.is_empty() && roots.iter().all(is_apart) && !self.is_root_recovered(letter, &own)
     }
 
     /// The roots of all equations that say something of a letter.
     fn roots_for(&self, letter: &str) -> Vec<Root> {
-        let names: Vec<_> = self.prepared.names.iter().filter(|(name, _)| name != letter).cloned().collect();
-        let open = self.lines.iter().filter(|studied| !studied.line.is_crossed_out());
-        let equations = open.filter_map(|studied| studied.reading.as_ref()).flat_map(|reading| &reading.equations);
-        let has_letter =
-            |expr: &Expr| any_within(expr, &|inner| matches!(inner, Expr::Name(name) if name.text == letter));
-        // Another letter that is to be found is not known here.
-        let is_closed = |side: &Expr| has_letter(side) || !self.has_sought(side);
-        let says = equations.filter(|(left, right)| {
-            let is_of_letter = (has_letter(left) || has_letter(right)) && is_closed(left) && is_closed(right);
-            is_of_letter && !is_plain(left, right) && !is_plain(right, left)
-        });
-        let equations: Vec<Equation> = says.filter_map(|equation| self.linear(equation, &names)).collect();
+        let names = self.names_but(letter);
+        let equations: Vec<Equation> =
+            self.equations_of(letter).filter_map(|equation| self.linear(equation, &names)).collect();
         let mut roots: Vec<Root> = equations.iter().filter_map(|equation| root(equation, letter)).collect();
         for (place, one) in equations.iter().enumerate() {
             roots.extend(equations[place + 1..].iter().filter_map(|other| root_of_two(one, other, letter)));
         }
         roots
+    }
+
+    /// Does one of the equations in a letter alone have this root if it lost a pair of brackets?
+    fn is_root_recovered(&self, letter: &str, own: &Root) -> bool {
+        let names = self.names_but(letter);
+        let is_recovered = |(left, right): &(Expr, Expr)| {
+            let with_left = bracketed(left).into_iter().map(|left| (left, right.clone()));
+            let with_right = bracketed(right).into_iter().map(|right| (left.clone(), right));
+            let mut roots = with_left.chain(with_right).filter_map(|own| root(&self.linear(&own, &names)?, letter));
+            roots.any(|root| root.iter().zip(own).all(|(root, own)| is_same(*root, *own)))
+        };
+        self.equations_of(letter).any(is_recovered)
+    }
+
+    fn names_but(&self, letter: &str) -> Vec<(String, Vec<f64>)> {
+        self.prepared.names.iter().filter(|(name, _)| name != letter).cloned().collect()
+    }
+
+    fn equations_of<'s>(&'s self, letter: &'s str) -> impl Iterator<Item = &'s (Expr, Expr)> {
+        let open = self.lines.iter().filter(|studied| !studied.line.is_crossed_out());
+        let equations = open.filter_map(|studied| studied.reading.as_ref()).flat_map(|reading| &reading.equations);
+        let has_letter =
+            move |expr: &Expr| any_within(expr, &|inner| matches!(inner, Expr::Name(name) if name.text == letter));
+        // Another letter that is to be found is not known here.
+        let is_closed = move |side: &Expr| has_letter(side) || !self.has_sought(side);
+        equations.filter(move |(left, right)| {
+            let is_of_letter = (has_letter(left) || has_letter(right)) && is_closed(left) && is_closed(right);
+            is_of_letter && !is_plain(left, right) && !is_plain(right, left)
+        })
     }
 
     fn linear(&self, (left, right): &(Expr, Expr), names: &[(String, Vec<f64>)]) -> Option<Equation> {

@@ -30,7 +30,8 @@ impl Wanted {
 }
 
 /// A formula to which a value is set equal.
-struct Formula {
+struct Formula<'s> {
+    expr: &'s Expr,
     /// What it comes to, at every point.
     values: Vec<Value>,
     /// How many names and numbers it has.
@@ -89,21 +90,23 @@ impl Working<'_> {
         let is_plain = is_in_letters || !is_unfinished(&member.expr);
         let Some(own) = self.in_given_names(&member.expr).filter(|_| is_plain) else { return false };
         let formulas = self.formulas_before(studied, member);
-        let is_denied = |formula: &Formula| {
+        let is_denied = |formula: &Formula<'_>| {
             let mut pairs = formula.values.iter().zip(&own);
             let is_apart = pairs.all(|(one, other)| are_apart(*one, *other, formula.has_square));
-            is_apart && (!is_in_letters || leaves(&member.expr) < formula.length)
+            is_apart
+                && (!is_in_letters || leaves(&member.expr) < formula.length)
+                && !self.is_recovered(formula.expr, &own)
         };
         !formulas.is_empty() && formulas.iter().all(is_denied)
     }
 
     /// The formulas to which a member is set equal by its line, and by those before that the line goes on from.
-    fn formulas_before(&self, studied: &Studied, member: &Member) -> Vec<Formula> {
-        let formula = |other: &Member| {
+    fn formulas_before<'s>(&'s self, studied: &'s Studied, member: &Member) -> Vec<Formula<'s>> {
+        let formula = |other: &'s Member| {
             let values = self.in_given_names(&other.expr).filter(|_| is_unfinished(&other.expr));
             let is_square = |inner: &Expr| matches!(inner, Expr::Power(..) | Expr::Call(Function::Sqrt, _));
             let (length, has_square) = (leaves(&other.expr), any_within(&other.expr, &is_square));
-            values.map(|values| Formula { values, length, has_square })
+            values.map(|values| Formula { expr: &other.expr, values, length, has_square })
         };
         self.members_before(studied, member).into_iter().filter_map(formula).collect()
     }

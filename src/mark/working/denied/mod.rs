@@ -1,6 +1,7 @@
 //! Right values that a student's own working denies: they have not come from there.
 
 mod at_the_end;
+mod brackets;
 mod by_equations;
 mod by_laws;
 mod by_line;

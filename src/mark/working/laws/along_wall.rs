@@ -234,7 +234,10 @@ fn factors(expr: &Expr) -> Vec<Expr> {
     match expr {
         Expr::Negative(inner) => factors(inner),
         Expr::Product(all) => all.iter().flat_map(factors).collect(),
-        Expr::Quotient(above, below) if matches!(**above, Expr::Product(_)) => {
+        // `6.93/2` is half of it; a half is one factor.
+        Expr::Quotient(above, below)
+            if matches!(**above, Expr::Product(_)) || !above.is_one() && below.names().is_empty() =>
+        {
             factors(above).into_iter().chain([Expr::integer(1).over((**below).clone())]).collect()
         }
         other => vec![other.clone()],

@@ -3,7 +3,7 @@
 use super::impulse::is_worked;
 use super::shapes::two_squares;
 use crate::bank::Code;
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::judging::may_be_named;
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::examine::{Studied, Value, Working};
@@ -23,9 +23,36 @@ impl Working<'_> {
             }
             Seen::Value(_, Shape::ChangeOfMomentum) => self.impulse_along(law),
             Seen::Value(_, Shape::DifferenceOfSquares) => self.energy_of_one(law),
-            Seen::Value(_, Shape::Pythagoras) => self.speed_of_own_vector(law),
+            Seen::Value(_, Shape::Pythagoras) => {
+                self.speed_of_earlier_vector(law).or_else(|| self.speed_of_own_vector(law))
+            }
             _ => None,
         }
+    }
+
+    /// Pythagoras with both components of the vector that the student has found in an earlier part for a particle: `√(25 + 4)`
+    /// after `5i - 2j`.
+    fn speed_of_earlier_vector(&self, law: Law) -> Option<Evidence> {
+        let finds = self.part.blanks.iter().flat_map(|blank| blank.find.quantities());
+        let mut speeds = finds.filter_map(|find| match find {
+            Quantity::Speed(sphere, moment) if self.prepared.setting == Setting::Impulse => Some((sphere, moment)),
+            _ => None,
+        });
+        let (sphere, moment) = speeds.next()?;
+        let own = |axis| Some(self.theirs.values.get(&Quantity::Velocity(sphere, moment, axis))?.0.clone());
+        let (x, y) = own(Axis::X).zip(own(Axis::Y))?;
+        let whole: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect();
+        let is = |expr: &Expr, sizes: &Vec<f64>| self.is_one_of(expr, std::slice::from_ref(sizes));
+        let holds = |inner: &Expr| match two_squares(inner) {
+            Some((one, other)) => is(&one, &x) && is(&other, &y) || is(&one, &y) && is(&other, &x),
+            // `√29` has been worked out in the head.
+            None => matches!(inner, Expr::Call(Function::Sqrt, _)) && is(inner, &whole),
+        };
+        let line = self
+            .lines
+            .iter()
+            .position(|studied| self.members(studied).any(|(member, _)| any_within(&member.expr, &holds)))?;
+        Some(Evidence::followed(line, law.name()))
     }
 
     /// Pythagoras with both components of the vector in which the student's momentum ends, though it be called nothing.

@@ -90,11 +90,32 @@ impl Slip {
     /// What was meant in the place of what was taken for it.
     fn undone_in(&self, expr: &Expr, prepared: &Prepared) -> Expr {
         let undone = match self {
-            Slip::Number { number, formula } => (number == expr).then(|| formula.clone()),
+            Slip::Number { number, formula } if number == expr => Some(formula.clone()),
+            // `y − x = 2.75` after 5.5, where e is ½.
+            Slip::Number { number, formula } => {
+                let e = prepared.restitution.as_ref().filter(|e| is_times(expr, e, number, prepared));
+                e.map(|e| Expr::product([e.clone(), formula.clone()]))
+            }
             Slip::Angle(angle) => angle.undone_in_product(expr, prepared),
         };
         undone.unwrap_or_else(|| expr.map_children(&mut |child| self.undone_in(child, prepared)))
     }
+}
+
+/// Is it a number that nobody has given, and comes to so much of another?
+fn is_times(expr: &Expr, share: &Expr, number: &Expr, prepared: &Prepared) -> bool {
+    if !is_plain(expr) || prepared.given_numbers.contains(expr) {
+        return false;
+    }
+    let spread = |expr: &Expr| match value(expr, prepared, &[])?.first()? {
+        Value::Number(spread) => Some(*spread),
+        Value::Vector(..) => None,
+    };
+    let all = spread(expr).zip(spread(share)).zip(spread(number));
+    all.is_some_and(|((own, share), number)| {
+        let product = number.times(share.middle());
+        (own - product).may_be_nought(product.middle().abs())
+    })
 }
 
 fn has(formula: &Expr, number: &Expr) -> bool {

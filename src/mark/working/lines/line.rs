@@ -293,6 +293,7 @@ fn read_line(reading: Reading) -> ReadLine {
             || typed.as_ref().is_some_and(|typed| typed.to_lowercase().contains("mass"))
             || statement.said.iter().any(in_kilograms);
         equations.extend(sides.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
+        let of_second = letter.as_ref().map(|_| of_second_letter(place, &sides)).unwrap_or_default();
         members.extend(sides.into_iter().map(|expr| Member {
             statement: place,
             label: typed.clone(),
@@ -301,8 +302,23 @@ fn read_line(reading: Reading) -> ReadLine {
             is_given,
             multiple: multiple.clone(),
         }));
+        members.extend(of_second);
     }
     ReadLine { printed: reading.printed, equations, members, statements: reading.statements, is_guessed: false }
+}
+
+/// In `v = w = 2/3` the values are those of w too.
+fn of_second_letter(statement: usize, sides: &[Expr]) -> Vec<Member> {
+    let [_, Expr::Name(second), values @ ..] = sides else { return Vec::new() };
+    let member = |expr: &Expr| Member {
+        statement,
+        label: Some(second.text.clone()),
+        letter: Some(second.text.clone()),
+        expr: expr.clone(),
+        is_given: false,
+        multiple: None,
+    };
+    values.iter().map(member).collect()
 }
 
 /// Is it a letter times numbers, or a power of one: `2v`, `v/3`, `½·3·w²`?
