@@ -267,6 +267,7 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
             Some(said) => vector::judge(model, &said),
             None if vector::is_unsolved_for_its_components(reading) => Finding::unreadable(Note::CannotBeCompared),
             None => vector::is_of_size_and_angle(model, reading)
+                .or_else(|| vector::is_of_components_by_a_line(model, reading))
                 .unwrap_or_else(|| statements::judge(model, reading, &|said, _| vector::judge(model, said))),
         },
         Kind::Ratio => match ratio::of_its_terms(reading) {

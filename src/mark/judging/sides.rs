@@ -124,7 +124,8 @@ fn says_to_the_left(remarks: &[&String]) -> Option<bool> {
             *remark == side || remark.contains(&format!("to the {side}")) || remark.contains(&format!("{side}ward"))
         })
     };
-    one_of(says("left"), says("right"))
+    let is_arrow = remarks.iter().any(|remark| remark.contains(['←', '⟵']));
+    one_of(says("left") || is_arrow, says("right"))
 }
 
 /// Do they say that it goes upwards, as **j** does?

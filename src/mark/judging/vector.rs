@@ -124,6 +124,23 @@ pub(super) fn is_of_size_and_angle(model: &Model, reading: &Reading) -> Option<F
     Some(if is_its_size(model, size) { Finding::unreadable(Note::DirectionUnchecked) } else { Finding::WRONG })
 }
 
+/// Two sizes along a line and across it where a vector is asked: `4 parallel to the wall and 3 away from it`. If they make
+/// up its size, which way each points is for a person to see.
+pub(super) fn is_of_components_by_a_line(model: &Model, reading: &Reading) -> Option<Finding> {
+    let both = pair(reading)?;
+    let says = |(statement, said): &(&Statement, &Said)| {
+        let label = statement.label.as_ref().map(|label| label.typed.to_lowercase()).unwrap_or_default();
+        said.reference.is_some() || label.contains("perp") || label.contains("parallel")
+    };
+    let value = |(_, said): &(&Statement, &Said)| match &said.form {
+        Form::Value(value) => Some(value.clone()),
+        _ => None,
+    };
+    let [first, second] = [value(&both[0])?, value(&both[1])?];
+    let whole = Said { form: Form::Value(magnitude(&first, &second)), ..both[1].1.clone() };
+    (both.iter().any(says) && is_its_size(model, &whole)).then(|| Finding::unreadable(Note::DirectionUnchecked))
+}
+
 /// Is it the size of the vector that is asked?
 fn is_its_size(model: &Model, size: &Said) -> bool {
     components(model).is_some_and(|(x, y)| {

@@ -175,6 +175,8 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '⩽' | '≦' => "≤",
         '⩾' | '≧' => "≥",
         '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
+        // To the right is the way that one reads on.
+        '←' | '⟵' => " to the left ",
         '∵' => " because ",
         '∩' | '∧' => " and ",
         'ℝ' => "R",

@@ -314,7 +314,8 @@ impl Working<'_> {
         let shown = match (&mark.earned_for, mark.code) {
             (_, Code::A1Shown) => self.printed_result(),
             (EarnedFor::Law(law, _), code) if law.seen() == Seen::Equation && self.uses_pair(*law) => {
-                let terms = || self.energy_kept(*law).or_else(|| self.by_terms(*law, code));
+                let by_terms = || self.energy_kept(*law).or_else(|| self.by_terms(*law, code));
+                let terms = || by_terms().or_else(|| self.by_centre_of_mass(code));
                 match self.pair_equation(*law, code) {
                     Some(shown) if !shown.given => {
                         // Where the terms show the method and the form does not, they say what is wrong as well.

@@ -1,6 +1,7 @@
 //! The component along a wall, which the wall cannot change, and *e* times a component of the student's own.
 
 use super::impulse::is_worked;
+use super::shapes::is_tangent;
 use crate::expr::Expr;
 use crate::mark::judging::may_be_named;
 use crate::mark::working::evidence::Evidence;
@@ -52,7 +53,9 @@ impl Working<'_> {
         }
         let (along, into) = (self.before_wall(Axis::T)?, self.before_wall(Axis::N)?);
         let has_e_times = |studied: &Studied, sizes: &[f64]| {
-            self.members(studied).any(|(member, _)| self.is_e_times(&member.expr, sizes))
+            // The ratio of the components in a tangent may come to as much.
+            let is_e_times = |member: &Member| !is_tangent(member) && self.is_e_times(&member.expr, sizes);
+            self.members(studied).any(|(member, _)| is_e_times(member))
         };
         // Who puts e to the right component as well knows which it is, or has put it to both.
         let changes = |studied: &Studied| has_e_times(studied, &along) || self.says_another_along(studied, &along);
@@ -70,7 +73,8 @@ impl Working<'_> {
         self.lines.iter().enumerate().filter(|(_, studied)| is_open(studied)).any(|(place, studied)| {
             self.members(studied).any(|(member, _)| {
                 let is_said = || place > line && self.is_one_of(&member.expr, &sizes);
-                !self.is_e_times(&member.expr, component) && (self.has_part(&member.expr, &sizes) || is_said())
+                let is_e_times = !is_tangent(member) && self.is_e_times(&member.expr, component);
+                !is_e_times && (self.has_part(&member.expr, &sizes) || is_said())
             })
         })
     }

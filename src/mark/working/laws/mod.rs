@@ -5,6 +5,7 @@ mod across_implied;
 mod along_wall;
 mod by_components;
 mod by_law;
+mod centre_of_mass;
 mod change_of_momentum;
 mod cleared;
 mod compound;

@@ -33,7 +33,9 @@ pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     {
         // A law in general letters is no name of its numbers: `mu = m_A v_A + m_B v_B: 16 cos 30° = …`.
         let is_law = before.contains('=') && !before.contains(|sign: char| sign.is_ascii_digit());
-        let name = if is_law { None } else { Some(before.trim()).filter(|before| !before.contains('=')) };
+        let name = if is_law { None } else { Some(before.trim()).filter(|before| !before.contains(RELATIONS)) };
+        // `w - v = 3: w = v + 3` is two equations, and `k = 3 : 2 = 1.5` a ratio.
+        let are_two = before.contains(RELATIONS) && after.contains(char::is_alphabetic);
         // `product = -1: …` says in words what the formula is set equal to.
         let is_said = before
             .split_once('=')
@@ -42,6 +44,9 @@ pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         match name {
             _ if is_said => all = vec![(None, after.trim().to_owned())],
             _ if is_law => all.insert(0, (None, after.trim().to_owned())),
+            None if are_two && case(typed).is_none() => {
+                all.insert(0, (None, format!("{}, {}", before.trim(), after.trim())))
+            }
             None => {}
             name => all.push((name, after.trim().to_owned())),
         }

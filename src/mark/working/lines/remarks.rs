@@ -50,12 +50,17 @@ pub(super) fn without_lead_in(typed: &str) -> &str {
     let named = by.map_or(typed, |by| typed[by.len()..].trim_start());
     let after_law = |(law, ends): (&str, &[char])| {
         let (lead, after) = named.split_at_checked(law.len())?;
-        let after = after.strip_prefix(ends).filter(|after| lead.eq_ignore_ascii_case(law) && after.contains('='))?;
-        Some(after.trim_start_matches([' ', ':']))
+        let after = without_dash(after).or_else(|| after.strip_prefix(ends))?;
+        (lead.eq_ignore_ascii_case(law) && after.contains('=')).then(|| after.trim_start_matches([' ', ':']))
     };
     let after_word = |word: &&str| typed.strip_prefix(*word)?.strip_prefix(' ');
     let after = LEAD_INS.iter().find_map(after_word).or_else(|| laws().find_map(after_law));
     after.unwrap_or(typed).trim()
+}
+
+/// `NLR - w - v = 3`: a dash between blanks is no minus sign after the name of a law.
+fn without_dash(after: &str) -> Option<&str> {
+    [" - ", " – ", " — "].into_iter().find_map(|dash| after.strip_prefix(dash))
 }
 
 /// What the two laws are called, for short and in words, with what ends the name.
