@@ -66,7 +66,8 @@ impl Working<'_> {
 
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
     fn shows_component(&self, studied: &Studied, sphere: Sphere, right: &[f64]) -> bool {
-        let is_right = |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
+        let comes = |(value, right): (&Value, &f64)| comes_to(*value, *right) || is_without_last_nought(*value, *right);
+        let is_right = |values: &[Value]| values.iter().zip(right).all(comes);
         let is_law = !studied.matched.is_empty();
         let whole = self.members(studied).filter(|(member, _)| !is_law || self.is_beside_law(studied, member)).any(
             |(member, values)| {
@@ -260,4 +261,11 @@ impl Working<'_> {
         };
         !is_given && values.iter().enumerate().all(is_one)
     }
+}
+
+/// Is it a rounded value of which the last nought was left out: 4.5 for 4.4995?
+fn is_without_last_nought(value: Value, right: f64) -> bool {
+    /// How far it is off then, in parts of itself.
+    const MOST: f64 = 0.0005;
+    matches!(value, Value::Number(own) if (own.middle().abs() - right.abs()).abs() <= MOST * right.abs())
 }

@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 
 /// Does a working write its decimals with commas? It has no decimal point, no list and no pair of coordinates, and somewhere
-/// figures that are neither two values nor thousands: `0,4`, `3,62`.
-pub(super) fn has_decimal_commas<'t>(lines: impl Iterator<Item = &'t str>) -> bool {
+/// figures that are neither two values nor thousands: `0,4`, `3,62`. Where the question has no `vectors`, brackets after a factor
+/// hold one number: `2(2,5)`.
+pub(super) fn has_decimal_commas<'t>(lines: impl Iterator<Item = &'t str>, vectors: bool) -> bool {
     let mut is_certain = false;
     for line in lines {
         let signs: Vec<char> = line.chars().collect();
@@ -17,7 +18,9 @@ pub(super) fn has_decimal_commas<'t>(lines: impl Iterator<Item = &'t str>) -> bo
             let (whole, decimals) = (digits(&mut signs[..comma].iter().rev()), digits(&mut signs[comma + 1..].iter()));
             let before = comma.checked_sub(whole + 1).map(|at| signs[at]);
             let after = signs.get(comma + decimals + 1).copied();
-            let is_pair = matches!(before, Some('(' | '[')) && matches!(after, Some(')' | ']'));
+            let factor = comma.checked_sub(whole + 2).map(|at| signs[at]);
+            let is_factor = !vectors && factor.is_some_and(char::is_alphanumeric);
+            let is_pair = matches!(before, Some('(' | '[')) && matches!(after, Some(')' | ']')) && !is_factor;
             if is_pair || before == Some(',') || after == Some(',') {
                 return false;
             }
@@ -50,11 +53,13 @@ mod tests {
 
     #[test]
     fn commas_are_decimal_where_all_of_the_working_says_so() {
-        let has = |working: &str| has_decimal_commas(working.lines());
-        let decimal = ["v = 3,62", "0,4(w - v) = 1,6", "√(3,62² + 1,5²) = 3,92", "v = 1,014\nw = 1,69"];
+        let has = |working: &str| has_decimal_commas(working.lines(), false);
+        let decimal =
+            ["v = 3,62", "0,4(w - v) = 1,6", "√(3,62² + 1,5²) = 3,92", "v = 1,014\nw = 1,69", "2(2,5) = 4v\nw = 3,62"];
         let other = ["v = 2,4", "1,200 = 3v", "v = 2, w = 3,5", "(3,62)", "v = 3,62\nw = 1.5", "1,2,35", "v = 2,w = 5"];
         decimal.iter().for_each(|working| assert!(has(working), "{working}"));
         other.iter().for_each(|working| assert!(!has(working), "{working}"));
+        assert!(!has_decimal_commas("2(2,5) = 4v\nw = 3,62".lines(), true));
         assert_eq!(with_points("√(3,62² + 1,5²), w = 2"), "√(3.62² + 1.5²), w = 2");
     }
 }

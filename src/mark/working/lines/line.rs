@@ -131,7 +131,7 @@ pub(in crate::mark::working) fn read(
         vocabularies.push(Vocabulary { vectors: true, ..vocabularies[2].clone() });
     }
     let products = Products::of(typed(working), letters);
-    let has_commas = has_decimal_commas(typed(working));
+    let has_commas = has_decimal_commas(typed(working), vectors);
     let read = |(place, typed): (usize, &str)| {
         let pointed = if has_commas { with_points(typed) } else { Cow::Borrowed(typed) };
         let signed = with_signs(without_label(&pointed));
