@@ -1,11 +1,12 @@
 //! What an equation has of each sphere before the impact, one by one: a sum that comes to the right number by chance is
 //! neither law.
 
+use super::added_up::terms;
 use super::changed::Change;
 use super::pair::Inputs;
 use crate::expr::Expr;
 use crate::mark::working::examine::context;
-use crate::mark::working::numbers::{Spread, constants};
+use crate::mark::working::numbers::{Context, Spread, constant, constants};
 use crate::mark::working::prepared::Prepared;
 
 /// The numbers that stand in an equation without an unknown, brackets multiplied out and all on its left side, at every
@@ -17,6 +18,13 @@ impl Apiece {
     pub(in crate::mark::working) fn of((left, right): &(Expr, Expr), prepared: &Prepared) -> Apiece {
         let at = |point| {
             let context = context(prepared, point);
+            let negated = |numbers: Vec<Spread>| numbers.into_iter().map(|number| -number).collect();
+            if let Some(numbers) = of_quotient(left, right, &context) {
+                return Some(numbers);
+            }
+            if let Some(numbers) = of_quotient(right, left, &context) {
+                return Some(negated(numbers));
+            }
             let right = constants(right, &context)?.into_iter().map(|number| -number);
             Some(constants(left, &context)?.into_iter().chain(right).collect())
         };
@@ -54,6 +62,16 @@ impl Apiece {
             }
         })
     }
+}
+
+/// What a number that is set equal to a quotient has of each sphere, the other way round: in `0.5 = (y - x)/(4 - 2)` half of 4 and
+/// half of -2, in twos.
+fn of_quotient(number: &Expr, quotient: &Expr, context: &Context) -> Option<Vec<Spread>> {
+    let Expr::Quotient(above, below) = quotient else { return None };
+    let is_open = constant(above, context).is_none() && constants(above, context)?.is_empty();
+    let (number, whole) = (constant(number, context)?, constant(below, context)?);
+    let each = terms(below, context).filter(|each| is_open && each.len() > 1)?;
+    each.into_iter().map(|term| (number * term).over(whole)).collect()
 }
 
 /// Are they one number, but for such a part of it?

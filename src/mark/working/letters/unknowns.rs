@@ -18,7 +18,7 @@ pub(in crate::mark::working) fn own_unknowns(working: &[String], letters: &[Lett
     let mut found: Vec<String> = Vec::new();
     let mut sums: Vec<(String, String, char)> = Vec::new();
     for line in typed(working).filter(|line| line.contains('=')) {
-        let pieces = pieces(&with_signs(line));
+        let pieces = pieces(&with_signs(line), letters);
         let primed = pieces.iter().filter_map(|piece| match piece {
             // Neither λ nor μ is an angle.
             Piece::Name(name) if name.ends_with('\'') || matches!(&**name, "lambda" | "mu") => Some(name.clone()),
@@ -64,8 +64,8 @@ enum Piece {
     Sign(char),
 }
 
-/// The pieces of a line, its blanks left out.
-fn pieces(line: &str) -> Vec<Piece> {
+/// The pieces of a line, its blanks left out. A letter of the question before another is what that is multiplied by: `mx + my`.
+fn pieces(line: &str, letters: &[Letter]) -> Vec<Piece> {
     let signs: Vec<char> = line.chars().collect();
     let (mut found, mut at) = (Vec::new(), 0);
     let run = |from: usize, is: &dyn Fn(char) -> bool| signs[from..].iter().take_while(|sign| is(**sign)).count();
@@ -94,6 +94,10 @@ fn pieces(line: &str) -> Vec<Piece> {
             at += primes;
             // `mu` is m and u.
             let greek = greek_name(&name).filter(|_| name.chars().count() != 2);
+            if let Some(multiplied) = multiplied(&name, letters) {
+                found.extend([Piece::Number, Piece::Name(multiplied.to_owned())]);
+                continue;
+            }
             found.push(match greek {
                 Some(greek) => Piece::Name(greek.to_owned()),
                 None if is_name(&name) => Piece::Name(name),
@@ -105,6 +109,15 @@ fn pieces(line: &str) -> Vec<Piece> {
         }
     }
     found
+}
+
+/// The letter behind one of the question's, if it is neither of these nor the name of a sphere: `x` in `mx`.
+fn multiplied<'n>(name: &'n str, letters: &[Letter]) -> Option<&'n str> {
+    let is_of_question = |own: &str| letters.iter().any(|letter| letter.name() == own);
+    let (first, rest) = name.split_at_checked(1)?;
+    let is_letter =
+        rest.len() == 1 && rest.starts_with(|sign: char| sign.is_ascii_lowercase() && !"abe".contains(sign));
+    (is_letter && is_of_question(first) && !is_of_question(rest)).then_some(rest)
 }
 
 fn is_prime(sign: char) -> bool {
@@ -137,7 +150,7 @@ fn sums_in(pieces: &[Piece]) -> Vec<(String, String, char)> {
     let sum = |at: usize| {
         let Piece::Name(one) = &pieces[at] else { return None };
         let Some(Piece::Sign(sign @ ('+' | '-'))) = pieces.get(at + 1) else { return None };
-        let other = at + 2 + usize::from(pieces.get(at + 2) == Some(&Piece::Number));
+        let other = at + 2 + pieces[at + 2..].iter().take_while(|piece| **piece == Piece::Number).count();
         let Some(Piece::Name(second)) = pieces.get(other) else { return None };
         (begins(at) && ends(other + 1)).then(|| (one.clone(), second.clone(), *sign))
     };
