@@ -5,16 +5,20 @@ use super::middle;
 use crate::expr::Expr;
 use crate::mark::working::examine::{Value, Working};
 
-/// The most formulas that are tried for one.
+/// The most formulas that are tried for one with a pair of brackets more, and with two.
 const MOST: usize = 60;
+const MOST_WITH_TWO: usize = 400;
 
 /// By more than such a part of it a number is another, where only figures were rounded.
 const ROUNDED: f64 = 0.005;
 
 impl Working<'_> {
-    /// Does a formula come to these values with one pair of brackets more?
+    /// Does a formula come to these values with one pair of brackets more, or with two: one for each sphere?
     pub(super) fn is_recovered(&self, formula: &Expr, own: &[Value]) -> bool {
-        bracketed(formula).iter().any(|formula| {
+        let with_one = bracketed(formula);
+        let with_two = with_one.iter().flat_map(bracketed).take(MOST_WITH_TWO);
+        with_one.iter().cloned().chain(with_two).any(|formula| {
+            let formula = &formula;
             let values = self.in_given_names(formula);
             values.is_some_and(|values| values.iter().zip(own).all(|(value, own)| is_same(middle(value), middle(own))))
         })

@@ -59,7 +59,7 @@ impl Working<'_> {
         lies(Axis::X) || lies(Axis::Y)
     }
 
-    /// A value that is said to be that of the rebound, and is: `rebound 4.67`.
+    /// A value that is said to be that of the rebound, and is: `rebound 4.67`; or the two components listed, `after: 5 and -2`.
     pub(super) fn said_to_rebound(&self, after: Quantity, code: Code) -> Option<usize> {
         let right = sizes(&self.prepared.known, after)?;
         let is_right = |values: &[Value]| values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right));
@@ -71,7 +71,24 @@ impl Working<'_> {
             };
             let mut members = self.members(studied).filter(|(member, _)| member.label.is_none());
             members.any(|(member, values)| (says || says_of(member)) && is_right(values))
+                || typed.contains("after") && self.lists_both_components(studied, &right)
         })
+    }
+
+    /// Are the component away from the wall and the one along it all the values of a line, and not of one size?
+    fn lists_both_components(&self, studied: &Studied, away: &[f64]) -> bool {
+        let after = Quantity::Velocity(Sphere::A, Moment::After, Axis::T);
+        let Some(along) = sizes(&self.prepared.known, after) else { return false };
+        let is = |values: &[Value], right: &[f64]| {
+            values.iter().zip(right).all(|(value, right)| *right != 0.0 && comes_to(*value, *right))
+        };
+        let is_alike = away.iter().zip(&along).any(|(one, other)| (one.abs() - other.abs()).abs() < 1e-9);
+        match self.members(studied).collect::<Vec<_>>().as_slice() {
+            [(_, one), (_, other)] if !is_alike => {
+                is(one, away) && is(other, &along) || is(one, &along) && is(other, away)
+            }
+            _ => false,
+        }
     }
 
     /// The component after the impact within a tangent, above the line or below it: `tan β = eu sin α/(u cos α)`.

@@ -230,6 +230,7 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
             found.extend(lines.take(1));
         }
         if found.iter().any(|line| !line.equations.is_empty()) {
+            found.sort_by_key(|line| has_gradient_alone(line) && is_apart_from_origin(typed));
             return found;
         }
         // What makes sense without an equation has none in other letters.
@@ -238,6 +239,19 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
         }
     }
     found
+}
+
+/// Is nothing in it but the gradient of a line, which was given by its equation?
+fn has_gradient_alone(line: &ReadLine) -> bool {
+    let is_gradient = |said: &Said| matches!(said.form, Form::Gradient(_));
+    line.equations.is_empty() && line.statements.iter().flat_map(|statement| &statement.said).all(is_gradient)
+}
+
+/// Does an equation end in a number that is not nought? `3x + 4y = 35` is for two components: the line of centres as one has
+/// `y = -3x`.
+fn is_apart_from_origin(typed: &str) -> bool {
+    let end = typed.rsplit('=').next().unwrap_or_default().trim().trim_start_matches(['-', '−']);
+    end.parse::<f64>().is_ok_and(|number| number != 0.0)
 }
 
 /// May a line say something else with more letters, or with vectors? What only remarks and figures stand in does not.
