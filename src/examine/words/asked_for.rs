@@ -156,9 +156,9 @@ fn another_angle(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
         .iter()
         .flatten()
         .any(|token| matches!(token, Token::Word(word) if TURNED.iter().any(|begin| word.starts_with(begin))));
-    // `The angle between its directions before and after`
+    // `The angle between its directions before and after`, `that its direction after makes with that before`
     let words = |list: &[&str]| asked.iter().any(|sentence| says(sentence, list));
-    let is_between = words(&["between"])
+    let is_between = (words(&["between"]) || (words(&["with", "to"]) && !words(&LINES)))
         && words(&["before", "initial", "original"])
         && words(&["after", "final", "afterwards", "new"]);
     let says_turned = says_turned || is_between;
@@ -239,7 +239,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 38] = [
+        let table: [(&str, Edits, &str); 39] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -355,6 +355,14 @@ mod tests {
                 "walls/velocity-in-i-and-j",
                 &[("find = \"A.deflection_deg\"", "find = \"A.after.angle_to_wall_deg\"")],
                 "ask for an angle through which the path is turned",
+            ),
+            (
+                "vector-impulse/size-of-the-impulse",
+                &[(
+                    "Find the angle through which the direction of motion of *A* is turned.",
+                    "Find the angle that the direction of motion of *A* after the impulse makes with that before it.",
+                )],
+                "",
             ),
             ("deflection/greatest-deflection", &[], ""),
             ("walls/velocity-in-i-and-j", &[], ""),

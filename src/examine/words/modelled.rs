@@ -101,10 +101,13 @@ fn walls(_: &Question, said: &[Sentence]) -> Option<Finding> {
     Some(Finding::new(message, word, "not as the scene is solved").with_help(help))
 }
 
+/// Words by which spheres are said to have one radius.
+const ALIKE: [&str; 9] =
+    ["radius", "radii", "identical", "size", "sizes", "sized", "equal-sized", "equally-sized", "discs"];
+
 /// Spheres of unlike radii have a line of centres that is not horizontal.
 fn radii(question: &Question, said: &[Sentence]) -> Option<Finding> {
-    let is_told =
-        said.iter().any(|sentence| says(sentence, &["radius", "radii", "identical", "size", "sizes", "discs"]));
+    let is_told = said.iter().any(|sentence| says(sentence, &ALIKE));
     let (word, _) = described(said, &SPHERES)?;
     let help = "say `of equal radii`, or `The spheres have equal radii.`";
     (is_oblique(question) && !is_told).then(|| untold("that the spheres have equal radii", &word, help))

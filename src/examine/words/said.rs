@@ -268,6 +268,9 @@ fn of_it(sentence: &[Token], place: usize, it: Sphere) -> Option<(Noun, Sphere)>
 const AFTERWARDS: [&str; 8] =
     ["after", "afterwards", "result", "rebounds", "rebound", "rebounding", "leaves", "leaving"];
 
+/// Words of an impact that comes next.
+const MEETS: [&str; 6] = ["strikes", "strike", "hits", "collides", "collide", "meets"];
+
 /// Is a number of a sentence of the time before the impact, or after it?
 pub(super) fn moment(sentence: &[Token], place: usize) -> Moment {
     told(sentence, place).map_or(Moment::Before, |(_, moment)| moment)
@@ -277,7 +280,9 @@ pub(super) fn moment(sentence: &[Token], place: usize) -> Moment {
 /// first so, `makes an angle {a} with the wall before the impact and an angle {b} after it`.
 pub(super) fn told(sentence: &[Token], place: usize) -> Option<(usize, Moment)> {
     let next = || {
-        let next = (place + 1..sentence.len()).take_while(|at| !matches!(sentence[*at], Token::Number(..)));
+        // `Moving with velocity {v}, collides with the wall and rebounds`: what follows the impact is no word of the number.
+        let ends = |token: &Token| matches!(token, Token::Number(..)) || is_one_of(token, &MEETS);
+        let next = (place + 1..sentence.len()).take_while(|at| !ends(&sentence[*at]));
         next.filter_map(|at| time(sentence, at)).next().filter(|(at, _)| !leads_on(sentence, *at))
     };
     let is_of_motion = |at: &usize| matches!(sentence[*at], Token::Number(..)) && is_of_motion(sentence, *at);
@@ -306,13 +311,26 @@ pub(super) fn told_before(sentence: &[Token], place: usize) -> Option<(usize, Mo
     (0..place).rev().find_map(|at| time(sentence, at))
 }
 
+/// `Opposite to that in which it was moving`, `as the one it had`: so a comparison ends, and a time that follows is of it.
+fn is_of_what_was(before: &[Token]) -> bool {
+    let near = &before[before.len().saturating_sub(9)..];
+    let is_led = |pair: &[Token]| {
+        is_one_of(&pair[0], &["to", "as", "from", "than"]) && is_one_of(&pair[1], &["that", "the", "those"])
+    };
+    let Some(led) = near.windows(2).rposition(is_led) else { return false };
+    let clause = &near[led + 2..];
+    says(clause, &["was", "were", "had"])
+        && !clause.iter().any(|token| matches!(token, Token::Comma | Token::Number(..)))
+}
+
 /// The time of which a word tells. `As before`, `than before` and `perpendicular to its direction before` tell of none.
 fn time(sentence: &[Token], at: usize) -> Option<(usize, Moment)> {
     let is_beside = |[to, _, noun]: &[Token; 3]| {
         is_one_of(to, &["to"]) && is_one_of(noun, &["direction", "motion", "path", "velocity"])
     };
-    let is_compared = at > 0 && is_one_of(&sentence[at - 1], &["as", "than"])
-        || sentence[..at].last_chunk::<3>().is_some_and(is_beside);
+    let is_compared = at > 0 && is_one_of(&sentence[at - 1], &["as", "than", "to"])
+        || sentence[..at].last_chunk::<3>().is_some_and(is_beside)
+        || is_of_what_was(&sentence[..at]);
     match &sentence[at] {
         Token::Word(word) if word == "before" && !is_compared => Some((at, Moment::Before)),
         Token::Word(word) if AFTERWARDS.contains(&word.as_str()) => Some((at, Moment::After)),

@@ -228,8 +228,11 @@ impl Seen<'_> {
         }
         let is_back = says(near, &["opposite", "reverse", "against"]);
         let of_both = says(&sentence[..at], &["each", "both", "they", "spheres"]) && !self.is_alone();
-        let of: Vec<Sphere> =
-            if of_both { Sphere::BOTH.to_vec() } else { subject(&sentence[..at]).into_iter().collect() };
+        // `After they collide, *A* moves`: of *A* alone.
+        let of: Vec<Sphere> = match subject(&sentence[..at]) {
+            None if of_both => Sphere::BOTH.to_vec(),
+            one => one.into_iter().collect(),
+        };
         if let Some(sphere) = of.into_iter().find(|sphere| self.goes_on(*sphere, is_back) == Some(false)) {
             let way = if is_back { "against its old direction" } else { "in its old direction" };
             let message = format!("the words say that `*{}*` then moves {way}, and it is not so", sphere.name());

@@ -11,6 +11,9 @@ use crate::expr::{Angles, print, read, written};
 use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::number::Value;
 
+/// Words of what does not move.
+const RESTS: [&str; 5] = ["rest", "rests", "resting", "stationary", "motionless"];
+
 impl Seen<'_> {
     /// Does all of it happen along one line?
     pub(super) fn is_direct(&self) -> bool {
@@ -89,7 +92,9 @@ impl Seen<'_> {
     /// A sphere that is said to move, or to move towards the other or away from it, before the impact.
     pub(super) fn moving(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         for (place, token) in sentence.iter().enumerate() {
-            if !is_one_of(token, &["moving", "moves"]) || moment(sentence, place) == Moment::After {
+            // `*B* is not moving when *A* hits it`
+            let is_denied = says(&sentence[place.saturating_sub(2)..place], &["not", "never"]);
+            if !is_one_of(token, &["moving", "moves"]) || is_denied || moment(sentence, place) == Moment::After {
                 continue;
             }
             let Some(sphere) = subject(&sentence[..place]) else { continue };
@@ -146,8 +151,9 @@ impl Seen<'_> {
         let is_there = |sphere: Sphere| impacts.iter().any(|impact| impact.has(sphere));
         let rests = |sphere: &Sphere| is_there(*sphere) && is_at_rest(self.variant, *sphere) == Some(true);
         let resting: Vec<Sphere> = Sphere::ALL.into_iter().filter(rests).collect();
-        let said: Vec<&Sentence> =
-            sentences.iter().filter(|words| says(words, &["rest", "stationary", "motionless"])).collect();
+        let is_still = |pair: &[Token]| is_one_of(&pair[0], &["not"]) && is_one_of(&pair[1], &["moving", "move"]);
+        let tells = |words: &&Sentence| says(words, &RESTS) || words.windows(2).any(is_still);
+        let said: Vec<&Sentence> = sentences.iter().filter(tells).collect();
         let is_of_all = said.iter().any(|words| says(words, &["both", "they", "others", "all", "each", "spheres"]));
         let is_said = |sphere: Sphere| {
             let is_named = said.iter().any(|words| words.contains(&Token::Sphere(sphere)));

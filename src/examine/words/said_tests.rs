@@ -19,6 +19,44 @@ pub(super) fn said(id: &str, edits: Edits) -> String {
 }
 
 #[test]
+fn sentences_of_other_teachers_contradict_nothing() {
+    let (rest, apart) = ("rest/speeds-and-directions", "direct/restitution-from-one-speed");
+    let (old, wall) = ("direct/mass-from-the-velocities", "walls/wall-along-a-vector");
+    let reversed =
+        "and the direction of\nmotion of *A* is reversed. Immediately after the collision the speed of *A* is {v m/s}.";
+    let each = "After they have collided directly each sphere is moving in the direction opposite to\n\
+                its old one, *A* with speed {vA} and *B* with speed {vB}.";
+    let own = "After they have collided directly *A* is moving with speed {vA} in the direction opposite to that in which it was \
+               moving before, and *B* is moving with speed {vB}, also in the opposite direction to before.";
+    let strikes = "is sliding on a smooth horizontal surface. It strikes a smooth vertical wall which is parallel\n\
+                   to the vector {[f, g]}. Immediately before the impact the velocity of *A* is {[x, y] m/s}.";
+    let moving = "moving on a smooth horizontal plane with velocity {[x, y] m/s}, collides with a smooth vertical wall \
+                  and rebounds. The wall is parallel to the vector {[f, g]}.";
+    let table: [(&str, Edits, &str); 8] = [
+        (rest, &[("which is at rest on the plane", "which rests on the plane")], ""),
+        (rest, &[("which is at rest on the plane", "which is not moving")], ""),
+        (rest, &[("which is at rest on the plane", "on the plane")], "do not say that `*B*` is at rest"),
+        (
+            apart,
+            &[(reversed, "and after they collide *A* moves in the opposite direction to its original direction.")],
+            "",
+        ),
+        (
+            apart,
+            &[(reversed, "and after they collide *A* moves on in its original direction.")],
+            "`*A*` then moves in its old direction",
+        ),
+        (old, &[(each, own)], ""),
+        (wall, &[(strikes, moving)], ""),
+        (wall, &[(strikes, &moving.replace("[x, y]", "[x, -y]"))], "give `*A*` the velocity `[x, -y]`"),
+    ];
+    for (id, edits, words) in table {
+        let said = said(id, edits);
+        assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+    }
+}
+
+#[test]
 fn words_that_the_scene_contradicts_are_found() {
     let catches = "direct/one-sphere-catches-the-other";
     let (moving, rest, line) =
