@@ -307,7 +307,7 @@ mod tests {
         let back = "backwards/velocity-of-b-and-line-of-centres";
         let turned = "ranges/turned-back-by-an-oblique-impact";
         let backwards = "backwards/speed-of-b-and-energy-lost";
-        let table: [(&str, Edits, &str); 41] = [
+        let table: [(&str, Edits, &str); 44] = [
             (line, &[], ""),
             (backwards, &[], ""),
             (backwards, &[("in terms of {m}", "in terms of {mA}")], "`mA`, which is not always a letter by itself"),
@@ -365,6 +365,13 @@ mod tests {
                 "say `show that`",
             ),
             (after, &[(impulse, "Find the magnitude of the force that")], "`force that *A* exerts`"),
+            (
+                after,
+                &[("impulse that *A* exerts on *B*.", "momentum of *B* after the collision.")],
+                "`momentum of *B* after`",
+            ),
+            (after, &[("impulse that *A* exerts on *B*.", "momentum that *A* gives to *B*.")], ""),
+            (after, &[("impulse that *A* exerts on *B*.", "change in the momentum of *B*.")], ""),
             (
                 "backwards/velocity-of-b-and-restitution",
                 &[("coefficient of restitution between the spheres.\"", "coefficient of friction.\"")],

@@ -208,8 +208,18 @@ impl Request<'_> {
             Thing::Speed if is_relative => {
                 matches!(quantity.of_its_impact(), Quantity::Approach | Quantity::Separation)
             }
+            Thing::Momentum if !self.is_change && !self.is_given_away() => {
+                matches!(quantity.of_its_impact(), Quantity::SphereMomentum(..) | Quantity::TotalMomentum(_))
+            }
             thing => thing.is(quantity),
         }
+    }
+
+    /// `The momentum that *A* gives to *B*` is an impulse.
+    fn is_given_away(&self) -> bool {
+        const GIVEN: [&str; 6] = ["gain", "give", "los", "receiv", "transfer", "impart"];
+        let is_given = |word: &String| GIVEN.iter().any(|begin| word.starts_with(begin));
+        self.words.iter().any(|token| matches!(token, Token::Word(word) if is_given(word)))
     }
 
     /// As it is said.

@@ -143,7 +143,9 @@ impl<'v> Seen<'v> {
     /// before has spoken.
     fn numbers(&self, sentence: &Sentence, before: Option<Sphere>, is_later: &mut bool, findings: &mut Vec<Finding>) {
         for (place, token) in sentence.iter().enumerate() {
-            *is_later |= is_one_of(token, &["later", "then", "second", "subsequently", "after"]);
+            // `The first wall is parallel to {i} and the second to {j}` tells of no impact.
+            let is_told = !is_one_of(token, &["second"]) || says(sentence, &STRUCK);
+            *is_later |= is_told && is_one_of(token, &["later", "then", "second", "subsequently", "after"]);
             let Token::Number(expr, _, lead) = token else { continue };
             let owner = owner_of(sentence, place).or_else(|| self.only_owner(sentence, place));
             let Some((noun, sphere)) = owner.or_else(|| of_it(sentence, place, before?)) else { continue };

@@ -32,7 +32,22 @@ fn sentences_of_other_teachers_contradict_nothing() {
                    to the vector {[f, g]}. Immediately before the impact the velocity of *A* is {[x, y] m/s}.";
     let moving = "moving on a smooth horizontal plane with velocity {[x, y] m/s}, collides with a smooth vertical wall \
                   and rebounds. The wall is parallel to the vector {[f, g]}.";
-    let table: [(&str, Edits, &str); 8] = [
+    let table: [(&str, Edits, &str); 11] = [
+        (
+            "successive/corner",
+            &[("before = { A = [\"x\", \"y\"] }", "before = { A = [\"y\", \"x\"] }")],
+            "the velocity `[x, y]`",
+        ),
+        (
+            "vector-impulse/mass-from-the-speed-after",
+            &[("speed immediately after the impulse is", "speed immediately before the impulse is")],
+            "give `*A*` the speed `v`",
+        ),
+        (
+            "vector-impulse/mass-from-the-speed-after",
+            &[("speed immediately after the impulse", "speed after it receives the impulse")],
+            "",
+        ),
         (rest, &[("which is at rest on the plane", "which rests on the plane")], ""),
         (rest, &[("which is at rest on the plane", "which is not moving")], ""),
         (rest, &[("which is at rest on the plane", "on the plane")], "do not say that `*B*` is at rest"),

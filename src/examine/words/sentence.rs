@@ -155,11 +155,18 @@ pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> 
             "radius" => (Noun::Radius, false),
             "radii" => (Noun::Radius, true),
             word if BETWEEN.contains(&word) => continue,
+            "impulse" if is_of_time(&sentence[..at]) => continue,
             _ => return None,
         };
         return Some((at, noun, is_plural));
     }
     None
+}
+
+/// Do words lead to what comes before or after an impulse, `before the` and `after it receives the`?
+fn is_of_time(lead: &[Token]) -> bool {
+    let last = lead.iter().rev().find(|token| !is_one_of(token, &["the", "this", "an", "receives", "it"]));
+    last.is_some_and(|token| is_one_of(token, &["before", "after"]))
 }
 
 /// The axis from which an angle is measured for which these words come next: along the line of centres and the normal to a

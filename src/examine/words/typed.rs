@@ -5,7 +5,7 @@ use super::sentence::in_order;
 use super::units::typed_unit;
 use crate::bank::Question;
 use crate::examine::Finding;
-use crate::expr::{Angles, Expr, Piece, Text, print, read};
+use crate::expr::{Angles, Expr, Meaning, Piece, Text, evaluate, print, read};
 use crate::unit::Unit;
 
 /// Masses, speeds and angles that the words give in plain digits, where no formula of the scene has them.
@@ -18,7 +18,8 @@ pub fn beside_the_scene(question: &Question) -> Vec<Finding> {
         for text in style.stem.iter().chain([&style.note]).chain(asks) {
             findings.extend(letters(text, question));
             findings.extend(in_pieces(text));
-            for typed in quantities(text).into_iter().filter(|typed| !there.contains(&typed.digits)) {
+            let is_there = |typed: &Typed| there.contains(&typed.digits) || is_of_a_line(typed, question);
+            for typed in quantities(text).into_iter().filter(|typed| !is_there(typed)) {
                 let Typed { shown, digits, unit } = typed;
                 let message = format!("the words give `{shown}` in plain digits, and nothing in the scene has it");
                 let help = format!(
@@ -32,6 +33,25 @@ pub fn beside_the_scene(question: &Question) -> Vec<Finding> {
     findings.sort_by(|one, other| one.message.cmp(&other.message));
     findings.dedup();
     findings
+}
+
+/// Is it the angle that a wall or a line of centres makes with an axis in every variant?
+fn is_of_a_line(typed: &Typed, question: &Question) -> bool {
+    let scene = &question.scene;
+    let later = scene.then.iter().flat_map(|then| [&then.wall, &then.line_of_centres]);
+    let mut lines = [&scene.wall, &scene.line_of_centres].into_iter().chain(later).flatten();
+    let component = |text: &String| match evaluate(&read(text, Angles::Degrees).ok()?, &|_| None) {
+        Ok(Meaning::Number(value)) => value.to_f64(),
+        _ => None,
+    };
+    let Some(said) = typed.digits.parse::<f64>().ok().filter(|_| typed.unit == Unit::Degree.plain()) else {
+        return false;
+    };
+    lines.any(|[x, y]| {
+        let (Some(x), Some(y)) = (component(x), component(y)) else { return false };
+        let angle = y.abs().atan2(x.abs()).to_degrees();
+        [angle, 90.0 - angle, 180.0 - angle].into_iter().any(|angle| (angle - said).abs() < 1e-6)
+    })
 }
 
 /// Letters of the scene that stand in the words without braces, alone or after a number: `of mass m`, `2u`.
@@ -131,12 +151,28 @@ mod tests {
     #[test]
     fn numbers_and_letters_stand_in_braces() {
         let (rest, wall) = ("rest/speeds-and-directions", "walls/restitution-from-two-angles");
-        let table: [(&str, Edits, &str); 11] = [
+        let table: [(&str, Edits, &str); 13] = [
             (rest, &[], ""),
             (rest, &[("{u m/s} and", "4 m/s and")], "give `4 m/s` in plain digits"),
             (rest, &[("{alpha deg} with", "30 degrees with")], "give `30 degrees` in plain digits"),
             (rest, &[("the plane.", "the plane, on which a right angle has 90°.")], ""),
             (rest, &[("the plane.", "the plane, in 3 parts of 2 m.")], ""),
+            (
+                "walls/velocity-in-i-and-j",
+                &[
+                    ("wall   = [\"1\", \"0\"]", "wall   = [\"1\", \"1\"]"),
+                    ("parallel to {i}", "inclined at 45° to {i}"),
+                ],
+                "",
+            ),
+            (
+                "walls/velocity-in-i-and-j",
+                &[
+                    ("wall   = [\"1\", \"0\"]", "wall   = [\"1\", \"1\"]"),
+                    ("parallel to {i}", "inclined at 30° to {i}"),
+                ],
+                "give `30°` in plain digits",
+            ),
             (wall, &[], ""),
             (wall, &[("mass {m} is", "mass m is")], "give `m` without braces"),
             (wall, &[("mass {m} is", "mass 2m is")], "give `2m` without braces"),

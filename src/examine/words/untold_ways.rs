@@ -140,7 +140,13 @@ fn coefficient(question: &Question, style: &Style, e: &Expr) -> Option<Finding> 
     let is_other = |sentence: &Sentence| says(sentence, &OTHERWISE) && !says(sentence, &["restitution"]);
     let tells =
         |sentence: &Sentence| says(sentence, &["restitution"]) || (says(sentence, &TELLING) && !is_other(sentence));
-    if printing.iter().any(|sentence| tells(sentence)) {
+    // `For the spheres the coefficient of restitution is {e}; for the wall it is {f}.`
+    let goes_on = |pair: &[Sentence]| {
+        pair[1].iter().any(is_in)
+            && tells(&pair[0])
+            && says(&pair[1], &["it", "this", "that", "value", "corresponding"])
+    };
+    if printing.iter().any(|sentence| tells(sentence)) || said.windows(2).any(goes_on) {
         return None;
     }
     let formulas = printing.iter().flat_map(|sentence| sentence.iter()).filter_map(|token| match token {
@@ -227,8 +233,19 @@ mod tests {
         let line = "direct/velocities-after-impact";
         let (components, again, rest) =
             ("both-moving/components-given", "successive/second-collision", "rest/speeds-and-directions");
-        let table: [(&str, Edits, &str); 21] = [
+        let table: [(&str, Edits, &str); 22] = [
             (line, &[], ""),
+            (
+                again,
+                &[
+                    (
+                        "The coefficient of restitution between the spheres is {e}.\n\nLater *B* strikes the wall. The coefficient of restitution",
+                        "Later *B* strikes the wall. The coefficient of restitution between the spheres is {e}; that",
+                    ),
+                    ("and the wall is {f}", "and the wall, it is {f}"),
+                ],
+                "",
+            ),
             (
                 line,
                 &[("are moving towards each other in opposite directions", "are moving")],
