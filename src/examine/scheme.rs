@@ -101,12 +101,12 @@ pub fn paid_twice(question: &Question) -> Vec<Finding> {
     findings
 }
 
-/// Marks for the use of one law in a part that takes it once.
+/// Marks for the use of one law in a part that takes it once, or for its equation.
 fn used_twice(question: &Question) -> Vec<Finding> {
     let mut findings = Vec::new();
     // In a later impact a law is used again.
     for (place, part) in question.parts.iter().enumerate().filter(|_| question.scene.then.is_empty()) {
-        for (row, mark) in part.marks.iter().enumerate().filter(|(_, mark)| !mark.code.is_accuracy()) {
+        for (row, mark) in part.marks.iter().enumerate() {
             let is_law = matches!(mark.earned_for, EarnedFor::Law(..) | EarnedFor::Condition);
             let is_same = |other: &&Mark| {
                 (other.code, &other.earned_for, &other.text) == (mark.code, &mark.earned_for, &mark.text)
@@ -261,6 +261,18 @@ mod tests {
             let question = read_question(id, &Source::new(id, text)).unwrap();
             let found: Vec<String> = unrewarded(&question).into_iter().map(|finding| finding.message).collect();
             assert_eq!(found.is_empty(), is_taken, "{find}, {step}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn two_rows_for_the_equation_of_one_law_are_one() {
+        let (id, text) = shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
+        let row = "  { code = \"A1\", for = \"momentum\" },\n";
+        for (more, said) in [("", ""), (row, "the marks A1a and A1b are both for `momentum`")] {
+            let text = text.replacen(row, &format!("{row}{more}"), 1);
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let found: String = paid_twice(&question).into_iter().map(|finding| finding.message).collect();
+            assert_eq!(found, said);
         }
     }
 

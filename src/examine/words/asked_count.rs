@@ -41,7 +41,7 @@ fn more_than_asked(part: &Part, asked: &[Sentence]) -> Option<(usize, Finding)> 
     }
     let unit = |answer: &Answer| match &answer.find {
         _ if answer.kind == Kind::Shown => Unit::None,
-        Find::Quantity(quantity) => quantity.unit(),
+        Find::Quantity(quantity) | Find::Vector(quantity, _) => quantity.unit(),
         _ if answer.kind == Kind::Angle => Unit::Degree,
         _ => Unit::None,
     };

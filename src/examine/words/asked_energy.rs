@@ -49,7 +49,9 @@ pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence
     match (quantity.of_its_impact(), named.as_slice()) {
         // The one that loses it may be described, and not named.
         (Quantity::SphereEnergyLost(own), []) => Some(found(all, &what(own)).as_warning()),
-        (Quantity::EnergyLost, [one]) if is_lost_by || is_energy_of => Some(found(&what(*one), all)),
+        (Quantity::EnergyLost | Quantity::FractionLost, [one]) if is_lost_by || is_energy_of => {
+            Some(found(&what(*one), all))
+        }
         _ => None,
     }
 }

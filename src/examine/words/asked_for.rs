@@ -239,7 +239,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 39] = [
+        let table: [(&str, Edits, &str); 41] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -327,6 +327,16 @@ mod tests {
                 "",
             ),
             (both, &[("Find the total kinetic", "Find the fraction of the kinetic")], "is the energy itself"),
+            (
+                "both-moving/speeds-and-fraction-of-energy-lost",
+                &[("total kinetic energy of the spheres that", "kinetic energy of *A* that")],
+                "ask for what *A* loses",
+            ),
+            (
+                "vector-impulse/velocity-after-an-impulse",
+                &[("it receives the impulse, and its speed.", "it receives the impulse.")],
+                "ask for 1 answer in m/s, and the part has 2",
+            ),
             (
                 both,
                 &[

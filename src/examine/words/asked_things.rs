@@ -307,7 +307,7 @@ mod tests {
         let back = "backwards/velocity-of-b-and-line-of-centres";
         let turned = "ranges/turned-back-by-an-oblique-impact";
         let backwards = "backwards/speed-of-b-and-energy-lost";
-        let table: [(&str, Edits, &str); 44] = [
+        let table: [(&str, Edits, &str); 46] = [
             (line, &[], ""),
             (backwards, &[], ""),
             (backwards, &[("in terms of {m}", "in terms of {mA}")], "`mA`, which is not always a letter by itself"),
@@ -369,6 +369,19 @@ mod tests {
                 after,
                 &[("impulse that *A* exerts on *B*.", "momentum of *B* after the collision.")],
                 "`momentum of *B* after`",
+            ),
+            (
+                "walls/tangents-in-letters",
+                &[(
+                    "letters given, the magnitude of the impulse that the wall exerts on",
+                    "letters given, the energy that the wall gives to",
+                )],
+                "`energy that the wall`",
+            ),
+            (
+                "both-moving/speeds-and-fraction-of-energy-lost",
+                &[("total kinetic energy of the spheres that", "total momentum of the spheres that")],
+                "`fraction of the total`",
             ),
             (after, &[("impulse that *A* exerts on *B*.", "momentum that *A* gives to *B*.")], ""),
             (after, &[("impulse that *A* exerts on *B*.", "change in the momentum of *B*.")], ""),

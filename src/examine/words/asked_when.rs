@@ -134,13 +134,19 @@ fn is_at_the_strike(word: &str, before: &[Token], after: &[Token]) -> bool {
 
 /// `The speeds of *B* and *C* before they collide`: the only impact of the two who alone are named.
 fn they_collide(question: &Question, before: &[Token], after: &[Token]) -> Option<u8> {
-    let [they, collide, ..] = after else { return None };
+    // `Before they first collide`
+    let (is_first, [they, collide]) = match after {
+        [they, first, collide, ..] if is_one_of(first, &["first"]) => (true, [they, collide]),
+        [they, collide, ..] => (false, [they, collide]),
+        _ => return None,
+    };
     let is_theirs = is_one_of(they, &["they"]) && is_one_of(collide, &["collide", "meet", "collided", "met"]);
     let mut named: Vec<Sphere> = before.iter().filter_map(sphere_named).collect();
     named.sort();
     named.dedup();
     let ([one, other], true) = (named.as_slice(), is_theirs && nth_time(after).is_none()) else { return None };
-    only_between(&question.scene, *one, *other)
+    let theirs = impacts(&question.scene).into_iter().find(|impact| impact.has(*one) && impact.has(*other));
+    if is_first { theirs.map(|impact| impact.number) } else { only_between(&question.scene, *one, *other) }
 }
 
 fn sphere_named(token: &Token) -> Option<Sphere> {
@@ -210,7 +216,7 @@ mod tests {
         let (rebound, speed) =
             ("walls/rebound-speed-and-direction", "Find the speed of *A* immediately after the impact");
         let three = "successive/three-in-a-line";
-        let table: [(&str, Edits, &str); 25] = [
+        let table: [(&str, Edits, &str); 26] = [
             (three, &[], ""),
             (
                 three,
@@ -228,6 +234,11 @@ mod tests {
             (twice, &[wall_between, (again, "of *B* immediately after it strikes *A*")], "is found before it"),
             (twice, &[wall_between, (again, "of *B* immediately after it strikes the wall")], ""),
             (twice, &[wall_between, (again, "of *B* immediately before it strikes *A*")], ""),
+            (
+                twice,
+                &[("after they first collide", "before they first collide")],
+                "before an impact, and `speed of A` is found after",
+            ),
             (twice, &[("after it collides with *B* for", "before it collides with *B* for")], "is found after it"),
             (
                 twice,

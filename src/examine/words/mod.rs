@@ -47,6 +47,7 @@ mod said_of_results;
 mod said_of_shares;
 mod said_of_spheres;
 mod said_of_strikes;
+mod said_of_titles;
 mod said_of_turning;
 mod said_of_walls;
 #[cfg(test)]

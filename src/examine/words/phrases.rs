@@ -1,6 +1,6 @@
 //! The noun phrases of a sentence, `the speeds of *A* and *B*`, and of how many things each is.
 
-use super::grammar::{Count, DESCRIBING, JOINING, determiner, ends_a_phrase, noun};
+use super::grammar::{Count, DESCRIBING, JOINING, body, determiner, ends_a_phrase, noun, verb};
 use super::sentence::{Sentence, Token, is_one_of};
 use crate::expr::Expr;
 
@@ -55,6 +55,8 @@ pub fn joined(sentence: &Sentence, at: usize) -> Option<Phrase> {
             return Some(whole);
         }
         match (bare(sentence, next), sentence.get(next)) {
+            // `The speed of *A* before the spheres collide`: a clause of its own.
+            (Some(inner), _) if is_in_time(sentence, whole.end, next) && acts(sentence, &inner) => return Some(whole),
             (Some(inner), _) => {
                 whole.counts.extend(inner.counts);
                 whole.end = inner.end;
@@ -63,6 +65,22 @@ pub fn joined(sentence: &Sentence, at: usize) -> Option<Phrase> {
             _ => return None,
         }
     }
+}
+
+/// Do the words between two places tell when?
+fn is_in_time(sentence: &Sentence, from: usize, to: usize) -> bool {
+    sentence[from..to].iter().any(|token| is_one_of(token, &["before", "after"]))
+}
+
+/// Do spheres do something, or is it done to them: `the spheres collide`, `*A* strikes`, `it is struck`?
+fn acts(sentence: &Sentence, who: &Phrase) -> bool {
+    let is_body = who.head.is_empty() || body(&who.head).is_some();
+    let is_done = |word: &str| word.ends_with("ed") || ["struck", "hit", "met"].contains(&word);
+    let does = |next: &str| match next {
+        "is" | "are" | "was" | "were" | "has" | "have" => word(sentence, who.end + 1).is_some_and(is_done),
+        next => verb(next).is_some(),
+    };
+    is_body && word(sentence, who.end).is_some_and(does)
 }
 
 /// Names in a row, or a noun with what describes it before and names it after.

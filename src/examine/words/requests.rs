@@ -116,7 +116,8 @@ pub fn requests<'s>(sentence: &'s [Token<'s>]) -> Vec<Request<'s>> {
                 (is_asked, is_of_two) = (true, false);
                 true
             }
-            token if is_one_of(token, &OTHERWISE) => {
+            // `In terms of the letters given`
+            token if is_one_of(token, &OTHERWISE) && !is_of_what_is_given(sentence, place) => {
                 is_asked = false;
                 false
             }
@@ -133,6 +134,13 @@ pub fn requests<'s>(sentence: &'s [Token<'s>]) -> Vec<Request<'s>> {
         }
     }
     found
+}
+
+/// `The letters given`, `the constants given`
+fn is_of_what_is_given(sentence: &[Token], place: usize) -> bool {
+    const LETTERS: [&str; 5] = ["letters", "constants", "symbols", "quantities", "data"];
+    let before = place.checked_sub(1).map(|before| &sentence[before]);
+    is_one_of(&sentence[place], &["given"]) && before.is_some_and(|before| is_one_of(before, &LETTERS))
 }
 
 /// The thing with which words begin, behind articles and what describes it: `the magnitude of the impulse`.
@@ -207,6 +215,9 @@ impl Request<'_> {
             Thing::Speed | Thing::Velocity if self.is_change => false,
             Thing::Speed if is_relative => {
                 matches!(quantity.of_its_impact(), Quantity::Approach | Quantity::Separation)
+            }
+            Thing::Share if self.words.iter().any(|token| is_one_of(token, &["momentum", "speed", "velocity"])) => {
+                false
             }
             Thing::Momentum if !self.is_change && !self.is_given_away() => {
                 matches!(quantity.of_its_impact(), Quantity::SphereMomentum(..) | Quantity::TotalMomentum(_))

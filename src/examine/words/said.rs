@@ -59,6 +59,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.limited(&sentence, &mut findings);
             seen.shares(&sentence, &mut findings);
             seen.brought_to_rest(&sentence, &mut findings);
+            seen.resting_when_struck(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);
             if !is_later {
                 seen.moving(&sentence, &mut findings);
@@ -75,6 +76,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     seen.resting(&stem, &mut findings);
     seen.struck_first(&stem, &mut findings);
     seen.letters_unsaid(&mut findings);
+    seen.titled(&mut findings);
     seen.results(&mut findings);
     findings
 }
@@ -270,6 +272,9 @@ fn of_it(sentence: &[Token], place: usize, it: Sphere) -> Option<(Noun, Sphere)>
 const AFTERWARDS: [&str; 8] =
     ["after", "afterwards", "result", "rebounds", "rebound", "rebounding", "leaves", "leaving"];
 
+/// Words of motion that go before `off`.
+const MOVES: [&str; 5] = ["moves", "move", "moving", "goes", "going"];
+
 /// Words of an impact that comes next.
 const MEETS: [&str; 6] = ["strikes", "strike", "hits", "collides", "collide", "meets"];
 
@@ -299,7 +304,11 @@ pub(super) fn told(sentence: &[Token], place: usize) -> Option<(usize, Moment)> 
 fn leads_on(sentence: &[Token], at: usize) -> bool {
     let lead = sentence[..at].iter().rev().find(|token| !is_one_of(token, &["immediately", "just", "shortly"]));
     let is_joined = lead.is_some_and(|lead| *lead == Token::Comma || is_one_of(lead, &["and"]));
-    is_joined && (at..sentence.len()).any(|at| matches!(sentence[at], Token::Number(..)) && is_of_motion(sentence, at))
+    // `And afterwards hits the second wall`
+    let is_of_next = sentence.get(at + 1).is_some_and(|next| is_one_of(next, &MEETS));
+    let has_number =
+        || (at..sentence.len()).any(|at| matches!(sentence[at], Token::Number(..)) && is_of_motion(sentence, at));
+    is_joined && (is_of_next || has_number())
 }
 
 /// Is a number a speed, a velocity or an angle?
@@ -336,6 +345,10 @@ fn time(sentence: &[Token], at: usize) -> Option<(usize, Moment)> {
     match &sentence[at] {
         Token::Word(word) if word == "before" && !is_compared => Some((at, Moment::Before)),
         Token::Word(word) if AFTERWARDS.contains(&word.as_str()) => Some((at, Moment::After)),
+        // `They collide, and *A* moves off with speed {v}`
+        Token::Word(word) if word == "off" && at > 0 && is_one_of(&sentence[at - 1], &MOVES) => {
+            Some((at, Moment::After))
+        }
         _ => None,
     }
 }

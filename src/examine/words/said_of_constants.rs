@@ -40,6 +40,24 @@ impl Seen<'_> {
         let range = |name: &str| self.question.scene.symbols.get(name).map(String::as_str);
         for (place, token) in sentence.iter().enumerate() {
             let Token::Number(expr, Unit::None, lead) = token else { continue };
+            if let (Expr::Name(name), Some(said)) = (expr, compared(&sentence[place + 1..]))
+                && let Some(range @ ("unit" | "positive" | "acute")) = range(&name.text)
+            {
+                let is_outside = match said {
+                    (Ordering::Less, bound) => bound <= 0.0,
+                    (_, bound) => range == "unit" && bound >= 1.0,
+                };
+                if is_outside {
+                    let how = if said.0.is_lt() { "less" } else { "greater" };
+                    let message = format!(
+                        "the words say that `{}` is {how} than {}, and the scene declares it `{range}`",
+                        name.text, said.1
+                    );
+                    let help = format!("say what `[scene.symbols]` has for `{}`, or declare it otherwise", name.text);
+                    findings.push(self.finding(message, &format!("{how} than"), &help));
+                }
+                continue;
+            }
             let (name, is_outside) = match expr {
                 Expr::Name(name) => {
                     let next = sentence[place + 1..].iter().take(3);
@@ -146,4 +164,22 @@ impl Seen<'_> {
         let turned = if unit == Unit::Degree { vec![said, 180.0 - said, 90.0 - said] } else { vec![said] };
         values.any(|value| turned.iter().any(|said| (value.abs() - said).abs() < 1e-6))
     }
+}
+
+/// What is said of a letter right behind it: `is greater than 1`, `, which is less than 0`.
+fn compared(after: &[Token]) -> Option<(Ordering, f64)> {
+    const BETWEEN: [&str; 8] = ["which", "where", "that", "is", "are", "a", "constant", "number"];
+    let mut rest = after.iter().skip_while(|token| **token == Token::Comma || is_one_of(token, &BETWEEN));
+    let side = match rest.next()? {
+        token if is_one_of(token, &["greater", "more", "larger"]) => Ordering::Greater,
+        token if is_one_of(token, &["less", "smaller"]) => Ordering::Less,
+        _ => return None,
+    };
+    rest.next().filter(|than| is_one_of(than, &["than"]))?;
+    let bound = match rest.next()? {
+        Token::Word(word) => word.parse().ok()?,
+        Token::Number(Expr::Number(number), Unit::None, _) => number.to_f64(),
+        _ => return None,
+    };
+    Some((side, bound))
 }

@@ -44,6 +44,17 @@ impl Seen<'_> {
                     }
                     continue;
                 }
+                Token::Word(word) if is_elastic(sentence, place) => {
+                    let of = |quantity: &Quantity| self.known.number(*quantity)?.to_f64();
+                    let all = self.known.0.keys().filter(|quantity| quantity.of_its_impact() == Quantity::Restitution);
+                    let is_less = |quantity: &Quantity| of(quantity).is_some_and(|e| e < 1.0);
+                    if !is_open && all.clone().count() > 0 && all.clone().all(is_less) {
+                        let message = format!("the words say `{word}`, and in the scene e is less than 1");
+                        let help = "leave the word out; or give 1 for `e` in `[scene]`, and say `perfectly elastic`";
+                        findings.push(self.finding(message, word, help).as_warning());
+                    }
+                    continue;
+                }
                 _ if is_one_of(token, &TOGETHER) => Value::ZERO,
                 _ => continue,
             };
@@ -78,12 +89,15 @@ impl Seen<'_> {
                         &["towards", "toward", "away", "along", "at", "from", "behind", "opposite", "above"],
                     )
                 });
-                (is_one_of(token, &["directly"]) && !is_of_path).then_some(token)
+                let is_of_impact =
+                    sentence.get(place + 1).is_some_and(|next| is_one_of(next, &["impact", "collision"]));
+                let is_direct = is_one_of(token, &["directly"]) && !is_of_path;
+                (is_direct || (is_of_impact && is_one_of(token, &["direct"]))).then_some(token)
             }),
             false => None,
         };
         if let Some(Token::Word(word)) = wrong {
-            let other = if word == "directly" { "oblique" } else { "direct" };
+            let other = if word.starts_with("direct") { "oblique" } else { "direct" };
             let message = format!("the words say `{word}`, and in the scene the impact is {other}");
             findings.push(self.finding(message, word, "say what it is, or give other velocities in `[scene]`"));
         }
@@ -169,6 +183,17 @@ impl Seen<'_> {
             findings.push(self.finding(message, "stem", help).as_warning());
         }
     }
+}
+
+/// `An elastic collision`, `the impact is elastic`, `collide elastically`; spheres may be elastic with any e.
+fn is_elastic(sentence: &[Token], place: usize) -> bool {
+    const IMPACTS: [&str; 4] = ["collision", "collisions", "impact", "impacts"];
+    let denied = says(&sentence[place.saturating_sub(2)..place], &["not", "perfectly", "partly", "partially"]);
+    let next = sentence.get(place + 1).is_some_and(|next| is_one_of(next, &IMPACTS));
+    let before = &sentence[..place];
+    let is_said = matches!(before, [.., impact, is] if is_one_of(impact, &IMPACTS) && is_one_of(is, &["is", "are"]));
+    let elastic = is_one_of(&sentence[place], &["elastic"]) && (next || is_said);
+    !denied && (elastic || is_one_of(&sentence[place], &["elastically"]))
 }
 
 /// Do the words say that no energy is lost? Of its conservation a law of mechanics speaks too, but not of kinetic energy.

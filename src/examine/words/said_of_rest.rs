@@ -32,6 +32,32 @@ impl Seen<'_> {
     }
 }
 
+impl Seen<'_> {
+    /// `*A*, of mass 3 kg, is at rest when it collides`: so it is in the scene.
+    pub(super) fn resting_when_struck(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for at in 2..sentence.len() {
+            let is_told = is_one_of(&sentence[at], &["rest"])
+                && is_one_of(&sentence[at - 1], &["at"])
+                && is_one_of(&sentence[at - 2], &["is", "was"])
+                // What stands beside its name is told of elsewhere.
+                && at > 2
+                && sentence[at - 3] == Token::Comma;
+            let is_struck = || {
+                let mut when = sentence[at + 1..].iter().skip_while(|token| !is_one_of(token, &["when"]));
+                when.any(|token| is_one_of(token, &["collides", "collide", "strikes", "struck", "hits", "hit"]))
+            };
+            let Some(sphere) = subject(&sentence[..at - 2]).filter(|_| is_told && is_struck()) else { continue };
+            let first = self.first(sphere, Quantity::Speed(sphere, Moment::Before));
+            let Some(speed) = first.and_then(|first| self.known.number(first)) else { continue };
+            if (&speed * &speed).sign().is_some_and(|sign| sign.is_gt()) {
+                let message = format!("the words say that `*{}*` is at rest, and in the scene it moves", sphere.name());
+                let help = "say that it is moving, or give it no velocity in `[scene]`";
+                findings.push(self.finding(message, "is at rest", help));
+            }
+        }
+    }
+}
+
 /// Who is said at this word to come to rest.
 fn rests(sentence: &[Token], at: usize) -> Option<Sphere> {
     const COMES: [&str; 8] = ["brought", "comes", "come", "coming", "came", "brings", "bring", "bringing"];

@@ -32,7 +32,35 @@ fn sentences_of_other_teachers_contradict_nothing() {
                    to the vector {[f, g]}. Immediately before the impact the velocity of *A* is {[x, y] m/s}.";
     let moving = "moving on a smooth horizontal plane with velocity {[x, y] m/s}, collides with a smooth vertical wall \
                   and rebounds. The wall is parallel to the vector {[f, g]}.";
-    let table: [(&str, Edits, &str); 11] = [
+    let back = "backwards/velocity-of-b-and-restitution";
+    let after = "when they\ncollide.\n\nImmediately after the collision the velocity of *A* is {[vAx, vAy] m/s}.";
+    let again = "rest/components-of-each-velocity";
+    let heavier = "rest/heavier-sphere-struck";
+    let struck = "rest on a smooth horizontal plane when it is struck by *A*, which is moving on the plane.";
+    let table: [(&str, Edits, &str); 18] = [
+        (
+            rest,
+            &[("*A*, of mass {mA kg}, is moving", "*A*, of mass {mA kg}, is at rest")],
+            "say that `*A*` is at rest, and in the scene it moves",
+        ),
+        (
+            "direct/velocities-in-letters",
+            &[("{m}, {u} and {e}, the kinetic", "{m}, {u} and {e}, which is greater than 1, the kinetic")],
+            "say that `e` is greater than 1",
+        ),
+        (again, &[], ""),
+        (heavier, &[(struck, "rest on a smooth horizontal plane. *A* strikes the heavier sphere *B*.")], ""),
+        (
+            heavier,
+            &[(struck, "rest on a smooth horizontal plane. *A* strikes a lighter sphere *B*.")],
+            "a comparison that is not so",
+        ),
+        (back, &[(after, "and collide. *A* moves off with velocity {[vAx, vAy] m/s}.")], ""),
+        (
+            back,
+            &[(after, "and collide. *A* moves off with velocity {[vAy, vAx] m/s}.")],
+            "give `*A*` the velocity `[vAy, vAx]`",
+        ),
         (
             "successive/corner",
             &[("before = { A = [\"x\", \"y\"] }", "before = { A = [\"y\", \"x\"] }")],

@@ -222,6 +222,7 @@ pub fn owner_of(sentence: &[Token], place: usize) -> Option<(Noun, Sphere)> {
         [Word(of), Word(_), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
         [Word(of), Word(_), Word(_), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
         _ if matches!(noun, Noun::Mass | Noun::Radius) => beside(&sentence[..at]),
+        _ if owner_of_a_list(&sentence[..at]).is_some() => owner_of_a_list(&sentence[..at]),
         _ => subject(&sentence[..at]),
     };
     owner.map(|owner| (noun, owner))
@@ -241,7 +242,8 @@ fn listed(before: &[Token]) -> Vec<Sphere> {
 
 /// The sphere to which `of mass`, `has mass` or `, with mass` is joined.
 fn beside(before: &[Token]) -> Option<Sphere> {
-    const JOINED: [&str; 11] = ["of", "has", "with", "a", "which", "is", "and", "having", "equal", "same", "radius"];
+    const JOINED: [&str; 12] =
+        ["whose", "of", "has", "with", "a", "which", "is", "and", "having", "equal", "same", "radius"];
     let joined = before.iter().rev().skip_while(|token| matches!(token, Comma) || is_one_of(token, &JOINED));
     match joined.collect::<Vec<_>>().as_slice() {
         // Of two in a row it is neither's alone.
@@ -249,6 +251,22 @@ fn beside(before: &[Token]) -> Option<Sphere> {
         // `with the same radius as *A*, has mass`
         [Token::Sphere(_), Word(like), ..] if like == "as" || like == "to" => None,
         [Token::Sphere(owner), ..] => Some(*owner),
+        _ => None,
+    }
+}
+
+/// `*B*, with mass {k kg} and` velocity: the sphere that has all that is joined so.
+fn owner_of_a_list(before: &[Token]) -> Option<Sphere> {
+    const JOINED: [&str; 8] = ["with", "having", "of", "mass", "radius", "a", "equal", "the"];
+    let (_, before) = before.split_last().filter(|(and, _)| is_one_of(and, &["and"]))?;
+    let last = before.iter().rposition(|token| matches!(token, Token::Sphere(_)))?;
+    let list = &before[last + 1..];
+    let has_mass = list.iter().any(|token| is_one_of(token, &["mass", "radius"]));
+    let is_plain = list.iter().all(|token| matches!(token, Number(..) | Comma) || is_one_of(token, &JOINED));
+    // Of two in a row it is neither's alone.
+    let in_row = matches!(&before[..last], [.., Token::Sphere(_), Word(and)] if and == "and");
+    match before[last] {
+        Token::Sphere(sphere) if has_mass && is_plain && !in_row => Some(sphere),
         _ => None,
     }
 }
@@ -312,7 +330,13 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
                 });
                 match in_row {
                     true => return None,
-                    false if is_described || !is_object => return Some(*sphere),
+                    false
+                        if (is_described && !is_over(&before[at + 1..]))
+                            || is_owner(&before[at + 1..])
+                            || !is_object =>
+                    {
+                        return Some(*sphere);
+                    }
                     false => {}
                 }
             }
@@ -322,6 +346,23 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
         }
     }
     None
+}
+
+/// `Strikes *B*, which is at rest, with speed`: is what was said of the sphere before over, and its striker spoken of again?
+fn is_over(after: &[Token]) -> bool {
+    let last = after.iter().rposition(|token| *token == Comma);
+    last.is_some_and(|last| {
+        let describes = after[..last].iter().any(|token| is_one_of(token, &["which", "that"]));
+        describes && after.get(last + 1).is_some_and(|next| is_one_of(next, &["with", "at"]))
+    })
+}
+
+/// `Runs into *B*, whose`: is what follows said of the sphere before it, in a clause that goes on to the end?
+fn is_owner(after: &[Token]) -> bool {
+    match after {
+        [Comma, whose, clause @ ..] | [whose, clause @ ..] => is_one_of(whose, &["whose"]) && !clause.contains(&Comma),
+        [] => false,
+    }
 }
 
 /// Pieces in the order in which they are read, those in italics among them.
@@ -376,6 +417,13 @@ mod tests {
                 "u: Speed A, w: Speed B",
             ),
             ("*A* collides with *B*. It has speed {u m/s}.", ""),
+            (
+                "*A*, with mass {m kg} and speed {u m/s}, hits *B*, with mass {k kg} and speed {w m/s}.",
+                "m: Mass A, u: Speed A, k: Mass B, w: Speed B",
+            ),
+            ("*A*, whose speed is {u m/s}, runs into *B*, whose speed is {w m/s}.", "u: Speed A, w: Speed B"),
+            ("*A* strikes *B*, whose mass is {m kg}, with speed {u m/s}.", "m: Mass B, u: Speed A"),
+            ("*A* strikes *B*, which is at rest, with speed {u m/s}.", "u: Speed A"),
             ("*A* with speed {u m/s} and *B*, in front of *A*, with speed {w m/s}.", "u: Speed A, w: Speed B"),
             ("*B*, which is ahead of *A*, has speed {w m/s}.", "w: Speed B"),
             (

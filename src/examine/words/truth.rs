@@ -223,6 +223,9 @@ fn compared(text: &Text, found: &mut Vec<Compared>) {
                 _ => None,
             });
             let (Some(one), Some(other)) = (subject(&sentence[..place]), other) else { continue };
+            // `*A* strikes a heavier sphere *B*` says it of *B*.
+            let is_before_its_name = !sentence[place + 1..].iter().take(3).any(|token| is_one_of(token, &["than"]));
+            let (one, other) = if is_before_its_name { (other, one) } else { (one, other) };
             let is_later = sentence.iter().any(|token| is_one_of(token, &["after", "then"]));
             found.push(Compared { one, said, wanted: *wanted, other, is_later });
         }

@@ -92,6 +92,17 @@ pub fn unit_vectors(question: &Question) -> Vec<Finding> {
         let are_used = said.iter().flatten().any(|token| matches!(token, Token::Number(expr, ..) if is_of_them(expr)));
         are_used && !said.iter().any(is_told)
     });
+    let styles = question.styles.iter().flat_map(|style| &style.stem).flat_map(sentences);
+    let are_parallel = |sentence: Sentence| {
+        let pairs = sentence.windows(3);
+        pairs.into_iter().any(|three| {
+            is_one_of(&three[0], &["parallel"]) && is_one_of(&three[1], &["unit"]) && is_one_of(&three[2], &["vectors"])
+        })
+    };
+    if styles.into_iter().any(are_parallel) {
+        let found = Finding::new("the words say that the unit vectors are parallel", "parallel unit", "they are axes");
+        return vec![found.with_help("say `perpendicular unit vectors`")];
+    }
     let found = || {
         let message = "the words never tell what {i} and {j} are, in which vectors are given";
         let help = "begin the stem with `_[In this question_ {i} _and_ {j} _are perpendicular unit vectors.]_`";
@@ -323,6 +334,7 @@ mod tests {
         for id in ["i-j/energy-lost", "vector-impulse/velocity-after-an-impulse", "successive/corner"] {
             let found = |edits: Edits| unit_vectors(&edited(id, edits)).len();
             assert_eq!((found(&[]), found(&[(sentence, "")]), found(&[(sentence, east)])), (0, 1, 0), "{id}");
+            assert_eq!(found(&[("are perpendicular unit vectors", "are parallel unit vectors")]), 1, "{id}");
         }
         assert!(unit_vectors(&edited("rest/speeds-and-directions", &[])).is_empty());
     }
