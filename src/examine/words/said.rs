@@ -352,3 +352,121 @@ fn time(sentence: &[Token], at: usize) -> Option<(usize, Moment)> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn each_mass_speed_velocity_and_angle_is_that_of_its_sphere() {
+        let table = [
+            ("direct/one-sphere-catches-the-other", "*B* is {w m/s}", "*B* is {w m/s}", ""),
+            (
+                "direct/one-sphere-catches-the-other",
+                "{mA kg} and {mB kg}",
+                "{mB kg} and {mA kg}",
+                "give `*A*` the mass `mB`",
+            ),
+            ("direct/one-sphere-catches-the-other", "is {u m/s} and", "is {2*u m/s} and", "give `*A*` the speed `2*u`"),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly, and *A* carries on in the same direction as before.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. As a result *A* moves on with speed {w m/s}.",
+                "give `*A*` the speed `w`",
+            ),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                "struck by a stick. Immediately after it has been\nstruck its",
+                "struck by a stick, and immediately after the hit its",
+                "",
+            ),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                "struck by a stick. Immediately after it has been\nstruck its velocity is {[v, w] m/s}",
+                "struck by a stick, and immediately after the hit its velocity is {[x, y] m/s}",
+                "give `*A*` the velocity `[x, y]`",
+            ),
+            (
+                "both-moving/paths-at-right-angles",
+                "*B* is moving with speed {uB} along",
+                "*B* is moving directly along",
+                "",
+            ),
+            (
+                "walls/restitution-from-two-angles",
+                "Before the collision the path of *A* makes an acute angle {alpha} with the wall, where {tan(alpha) = before}. After \
+             the collision\nits path makes an acute angle {beta} with the wall, where {tan(beta) = after}.",
+                "The path of *A* makes an acute angle {alpha} with the wall before the collision and an acute angle {beta} with \
+             the wall after it, where {tan(alpha) = before} and {tan(beta) = after}.",
+                "",
+            ),
+            (
+                "walls/restitution-from-two-angles",
+                "Before the collision the path of *A* makes an acute angle {alpha} with the wall, where {tan(alpha) = before}. After \
+             the collision\nits path makes an acute angle {beta} with the wall, where {tan(beta) = after}.",
+                "The path of *A* makes an acute angle {alpha} with the wall after the collision and an acute angle {beta} with \
+             the wall before it, where {tan(alpha) = before} and {tan(beta) = after}.",
+                "give `*A*` the angle `alpha`",
+            ),
+            ("walls/restitution-from-two-angles", "{tan(beta) = after}", "{sin(beta) = after}", "the angle `beta`"),
+            (
+                "walls/restitution-from-two-angles",
+                "{beta} with the wall",
+                "{beta} with the normal to the wall",
+                "`beta`",
+            ),
+            (
+                "ranges/mass-ratio-that-can-be",
+                "{k*m} and",
+                "{k} and",
+                "give `*A*` the mass `k` where the scene gives it",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "acute angle of {alpha deg}",
+                "acute angle of {beta deg}",
+                "give `*A*` the angle `beta`",
+            ),
+            ("i-j/energy-lost", "{[bx, by] m/s}", "{[by, bx] m/s}", "give `*B*` the velocity"),
+            ("walls/rebound-speed-and-direction", "{alpha deg} with the wall", "{alpha deg} to the wall", ""),
+            (
+                "walls/rebound-speed-and-direction",
+                "{alpha deg} with the wall",
+                "{alpha deg} with the normal to the wall",
+                "give `*A*` the angle `alpha`",
+            ),
+            (
+                "ranges/turned-back-by-an-oblique-impact",
+                "{tan(alpha) = t}",
+                "{sin(alpha) = t}",
+                "give `*A*` the angle `alpha`",
+            ),
+            ("ranges/turned-back-by-an-oblique-impact", "{tan(alpha) = t}", "{sin(alpha) = t/sqrt(1 + t^2)}", ""),
+            (
+                "ranges/turned-through-more-than-a-right-angle",
+                "angle {alpha} with the wall",
+                "angle {alpha} with the normal to the wall",
+                "give `*A*` the angle `alpha`",
+            ),
+            (
+                "rest-letters/direction-and-deflection",
+                "acute angle {alpha} with the line of centres",
+                "acute angle {alpha} with the common tangent",
+                "give `*A*` the angle `alpha`",
+            ),
+            (
+                "deflection/equal-masses",
+                "{theta} with the line of centres",
+                "{theta} with the common tangent",
+                "give `*A*` the angle `theta`",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

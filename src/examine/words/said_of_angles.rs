@@ -115,3 +115,19 @@ fn degrees_said(meaning: Meaning) -> Option<f64> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn an_equation_of_the_words_holds() {
+        let table = [(
+            "rest/speeds-and-directions",
+            "spheres is {e}.",
+            "spheres is {e}, and {sin(alpha) = 5/7}.",
+            "the words say that `sin(alpha) = 5/7`",
+        )];
+        assert_said(&table);
+    }
+}

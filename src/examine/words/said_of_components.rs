@@ -165,3 +165,46 @@ fn along_which(words: &[Token]) -> Option<Axis> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn components_distances_and_radii_are_those_of_the_scene() {
+        let table = [
+            ("vector-impulse/size-of-the-impulse", "{[k*f, k*g] N s}", "{[f, g] N s}", "give the impulse `[f, g]`"),
+            (
+                "rest-letters/distance-from-the-centre-of-b",
+                "B = \"r\" }",
+                "B = \"2*r\" }",
+                "give the radius `r`, where the scene gives it 2r",
+            ),
+            (
+                "rest-letters/distance-from-the-centre-of-b",
+                "impact_parameter = \"-d\"",
+                "impact_parameter = \"-d/2\"",
+                "give the distance `d`",
+            ),
+            (
+                "both-moving/components-given",
+                "{p m/s} perpendicular to the line",
+                "{p m/s} parallel to the line",
+                "give `*A*` the component `p` along the line of centres",
+            ),
+            (
+                "both-moving/components-given",
+                "A = [\"a\", \"p\"]",
+                "A = [\"p\", \"a\"]",
+                "give `*A*` the component `a` along",
+            ),
+            (
+                "vector-impulse/velocity-after-an-impulse",
+                "impulse = [\"p\", \"q\"]",
+                "impulse = [\"-p\", \"-q\"]",
+                "give the impulse `[p, q]`",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

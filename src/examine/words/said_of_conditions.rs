@@ -315,3 +315,106 @@ fn keeps_its(before: &[Token]) -> bool {
         && is_one_of(its, &["its", "their"])
         && says(near, &["continues", "continue", "continued", "carries", "keeps"])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn who_moves_on_in_a_direction_or_meets_again_does_so() {
+        let table = [
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* continues in the opposite direction.",
+                "`*A*` moves in the opposite",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly, and *B* continues to move in its direction.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. After that *A* moves in the direction opposite to that in which it was moving.",
+                "then moves against its old direction",
+            ),
+            (
+                "direct/mass-from-the-velocities",
+                "opposite to\nits old one",
+                "of its old one",
+                "`*A*` then moves in its old",
+            ),
+            ("direct/mass-from-the-velocities", "to\nits old one", "to that of its former motion", ""),
+            (
+                "direct/mass-from-the-velocities",
+                "opposite to\nits old one",
+                "that it had, as before",
+                "in its old direction",
+            ),
+            (
+                "ranges/direction-reversed",
+                "collide directly",
+                "collide directly and *A* continues in its direction",
+                "`*A*` then moves in its old direction",
+            ),
+            (
+                "direct/velocities-in-letters",
+                "taking the direction of motion of *A* before it as",
+                "taking the direction opposite to the motion of *A* as",
+                "take the other direction as positive",
+            ),
+            (
+                "ranges/turned-back-by-an-oblique-impact",
+                "directed away from *B*",
+                "directed towards *B*",
+                "`*A*` then moves towards *B*",
+            ),
+            (
+                "successive/second-collision",
+                "*B* collides with *A* again",
+                "*B* does not collide with *A* again",
+                "do not meet again, and with the conditions of the scene they meet",
+            ),
+            (
+                "successive/no-more-collisions",
+                "does not strike *B* again",
+                "strikes *B* again",
+                "meet again, and with the conditions of the scene they do not meet",
+            ),
+            (
+                "successive/no-more-collisions",
+                "second.B.after.n >= A.after.n",
+                "A.after.n > second.B.after.n",
+                "do not meet again",
+            ),
+            (
+                "ranges/mass-ratio-that-can-be",
+                "with speed {vA}.",
+                "with speed {vA}. After it *A* moves in the opposite direction.",
+                "`*A*` moves in the opposite direction, and it is not so",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. The speed of *A* increases.",
+                "say `increases` of the speed of `*A*`",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. The speed of *B* is increased.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. After it both spheres move in opposite directions.",
+                "in opposite",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

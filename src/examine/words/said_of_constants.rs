@@ -183,3 +183,48 @@ fn compared(after: &[Token]) -> Option<(Ordering, f64)> {
     };
     Some((side, bound))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn numbers_and_bounds_of_the_words_are_in_the_scene() {
+        let table = [
+            (
+                "rest/speeds-and-directions",
+                "have equal radii",
+                "have radius {5} and one has mass twice that of {4}",
+                "",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "is {e}.",
+                "is {e}. The path of *A* is turned through an angle and then makes another of {60 deg} with it.",
+                "the words give `60 deg`, and nothing in the scene has it",
+            ),
+            (
+                "ranges/direction-reversed",
+                "spheres is {e}.",
+                "spheres is {e}, where {e < 1/20}.",
+                "say that `e < 1/20`, and it is",
+            ),
+            ("ranges/direction-reversed", "spheres is {e}.", "spheres is {e}, where {e > 1/20}.", ""),
+            (
+                "walls/turned-through-a-right-angle",
+                "a right angle.\n",
+                "a right angle, where {e < 1/20}.\n",
+                "`e < 1/20`, and it is",
+            ),
+            ("deflection/equal-masses", "{e < 1}", "{e > 1}", "say that `e > 1`, and the scene declares it `unit`"),
+            ("vector-impulse/size-of-the-impulse", "is a positive constant", "is a negative constant", "k is negative"),
+            (
+                "walls/turned-through-a-right-angle",
+                "through a right angle",
+                "by {60 deg}",
+                "the words give `60 deg`, and nothing in the scene has it",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

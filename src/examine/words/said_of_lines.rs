@@ -158,3 +158,73 @@ impl Seen<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn walls_and_lines_of_centres_lie_as_they_are_said_to() {
+        let table = [
+            (
+                "walls/velocity-in-i-and-j",
+                "wall is parallel to {i}",
+                "wall is parallel to {j}",
+                "the wall is parallel to j",
+            ),
+            ("walls/velocity-in-i-and-j", "wall is parallel to {i}", "wall is perpendicular to {j}", ""),
+            ("successive/corner", "and the second to {j}", "and the second to {i}", "the wall is parallel to i"),
+            (
+                "i-j/energy-lost",
+                "is parallel to {i}",
+                "is perpendicular to {i}",
+                "line of centres is perpendicular to i",
+            ),
+            (
+                "successive/struck-onto-a-wall",
+                "which is perpendicular to the wall",
+                "which is parallel to the wall",
+                "the line of centres is parallel to the wall",
+            ),
+            ("successive/corner", "meet at a\nright angle", "are perpendicular to each other", ""),
+            (
+                "successive/corner",
+                "that meet at a\nright angle",
+                "that are parallel to each other",
+                "the walls are parallel",
+            ),
+            ("successive/corner", "two smooth fixed", "two parallel smooth fixed", "the walls are parallel"),
+            (
+                "successive/corner",
+                "meet at a\nright angle.",
+                "meet. Between the walls it moves parallel to one of them.",
+                "",
+            ),
+            (
+                "successive/walls-at-an-angle",
+                "vertical walls.",
+                "vertical walls. It meets none of the walls at right angles.",
+                "",
+            ),
+            (
+                "successive/walls-at-an-angle",
+                "vertical walls.",
+                "vertical walls that meet at right angles.",
+                "at right angles",
+            ),
+            (
+                "successive/struck-onto-a-wall",
+                "which is perpendicular to the wall",
+                "and the wall is perpendicular to the line of centres",
+                "",
+            ),
+            (
+                "successive/struck-onto-a-wall",
+                "which is perpendicular to the wall",
+                "and the wall is parallel to the line of centres",
+                "the line of centres is parallel to the wall",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

@@ -205,3 +205,83 @@ fn is_kept(sentence: &[Token], energy: usize) -> bool {
     let is_conserved = after.iter().take(2).any(|token| is_one_of(token, &["conserved"]));
     is_of_motion && ((is_none && is_lost) || (is_conserved && !says(sentence, &["not", "if"])))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn impacts_are_direct_and_elastic_and_spheres_at_rest_as_they_are_said_to_be() {
+        let table = [
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "coalesce.",
+                "the words say `coalesce`, for which e is 0",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide obliquely.",
+                "the words say `obliquely`",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. The direction of *A* is not reversed.",
+                "",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "collide.\n\nImm",
+                "collide directly.\n\nImm",
+                "the words say `directly`",
+            ),
+            (
+                "deflection/elastic",
+                "perfectly elastic",
+                "perfectly inelastic",
+                "for which e is 0, and in the scene it is 1",
+            ),
+            (
+                "ranges/direction-reversed",
+                "moving towards it",
+                "moving away from it",
+                "`*A*` moves away from the other",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "which is at rest",
+                "which is moving",
+                "`*B*` is moving, and in the scene it is",
+            ),
+            ("deflection/elastic", "perfectly elastic", "inelastic", "say `inelastic`, and in the scene e is 1"),
+            (
+                "successive/three-in-a-line",
+                "Spheres *B* and *C* are at rest",
+                "Sphere *B* is at rest",
+                "the words do not say that `*C*` is at rest",
+            ),
+            ("successive/three-in-a-line", "Spheres *B* and *C* are at rest", "The others are at rest", ""),
+            (
+                "rest/speeds-and-directions",
+                ", which is at rest on the plane",
+                " on the plane",
+                "the words do not say that `*B*` is at rest",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. No kinetic energy is lost.",
+                "`no energy is lost`, for which e is 1",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. Kinetic energy is not conserved.",
+                "",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

@@ -198,3 +198,106 @@ impl Seen<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn lines_in_which_spheres_move_are_their_lines() {
+        let table = [
+            (
+                "both-moving/paths-at-right-angles",
+                "{uA} perpendicular to the line",
+                "{uA} along the line",
+                "`*A*` moves along the line of centres",
+            ),
+            (
+                "both-moving/paths-at-right-angles",
+                "centres, towards *A*",
+                "centres, towards *B*",
+                "have `*B*` move towards itself",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "Immediately before the collision the speed",
+                "Sphere *A* moves perpendicular to the line of centres. The speed",
+                "`*A*` moves perpendicular to the line",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "Immediately before the collision the speed",
+                "*A* moves parallel to the line of centres. The speed",
+                "`*A*` moves along the line of centres",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The coefficient",
+                "After the collision *B* moves along the line of centres. The coefficient",
+                "",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The coefficient",
+                "After the collision *A* moves along the line of centres. The coefficient",
+                "`*A*` then moves along",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The coefficient",
+                "Immediately after the collision *B* moves at right angles to the line of centres. The coefficient",
+                "`*B*` then moves perpendicular to the line of centres",
+            ),
+            (
+                "i-j/energy-lost",
+                "The coefficient",
+                "Immediately before the collision *A* is moving parallel to {i}. The coefficient",
+                "moves along i",
+            ),
+            (
+                "i-j/energy-lost",
+                "The coefficient",
+                "After the collision *B* is not moving parallel to {i}. The coefficient",
+                "",
+            ),
+            (
+                "walls/velocity-in-i-and-j",
+                "The coefficient",
+                "Before the impact *A* moves parallel to the wall. The coefficient",
+                "moves along the wall",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "The spheres move on opposite sides of the line of centres. The coefficient",
+                "on opposite sides of the line",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "The spheres move on the same side of the line of centres. The coefficient",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "in the same direction along the same\nstraight line",
+                "along perpendicular lines",
+                "move in perpendicular lines",
+            ),
+            (
+                "i-j/energy-lost",
+                "The coefficient",
+                "Before the collision they move in perpendicular directions. The coefficient",
+                "in perpendicular lines",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The coefficient",
+                "Their paths are then in perpendicular directions. The coefficient",
+                "",
+            ),
+            ("both-moving/components-given", "towards *B*, and", "towards *A*, and", "have `*A*` move towards itself"),
+        ];
+        assert_said(&table);
+    }
+}

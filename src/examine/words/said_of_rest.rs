@@ -100,3 +100,69 @@ fn both_rest(sentence: &[Token], at: usize) -> bool {
     let names_any = before.iter().any(|token| matches!(token, Token::Sphere(_)));
     is_one_of(&sentence[at], &["rest"]) && comes && says(before, &["both", "they"]) && !names_any
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn who_comes_to_rest_is_at_rest_after_the_impact() {
+        let table = [
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly, which brings *A* to rest.",
+                "`*A*` comes to rest, and it is not so",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. Given that *A* is brought to rest, all is known.",
+                "`*A*` comes to rest",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly, leaving *A* at rest.",
+                "`*A*` comes to rest",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* is at rest immediately after this.",
+                "`*A*` comes to rest",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* cannot be brought to rest.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* is not brought to rest.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. An impulse is needed to bring *A* to rest.",
+                "",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The coefficient",
+                "Immediately after the collision *B* is at rest. The coefficient",
+                "`*B*` comes to rest",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "Both spheres are brought to rest. The coefficient",
+                "`*A*` comes to rest",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

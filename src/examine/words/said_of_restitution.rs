@@ -147,3 +147,51 @@ impl Seen<'_> {
         all.iter().map(|impact| of(impact.number)).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn each_coefficient_is_of_its_impact() {
+        let table = [
+            (
+                "successive/three-in-a-line",
+                "*C* immediately after they collide",
+                "*C* after its collision with *A*",
+                "collision of `*A*` and `*C*`",
+            ),
+            (
+                "walls/rebound-speed-and-direction",
+                "is {e}.",
+                "is {1 - e}.",
+                "the coefficient of restitution `1 - e` where the scene gives it",
+            ),
+            (
+                "successive/three-in-a-line",
+                "*A* and *B* is {e}, and that between *B* and *C* is {f}",
+                "*A* and *B* is {f}, and that between *B* and *C* is {e}",
+                "the coefficient of restitution `f` where the scene gives it",
+            ),
+            (
+                "successive/corner",
+                "the first wall is {e}, and that between *A* and the second wall is {f}",
+                "the second wall is {f}, and that between *A* and the first wall is {e}",
+                "",
+            ),
+            (
+                "successive/corner",
+                "the first wall is {e}, and that between *A* and the second wall is {f}",
+                "the first wall is {f}, and that between *A* and the second wall is {e}",
+                "the coefficient of restitution `e` where the scene gives it",
+            ),
+            (
+                "direct/restitution-from-one-speed",
+                "is {v m/s}.",
+                "is {v m/s}. The coefficient of restitution is 1/2.",
+                "give the coefficient of restitution, for which a part asks",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

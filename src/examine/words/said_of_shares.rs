@@ -283,3 +283,88 @@ fn place_of(share: &Share) -> String {
         _ => share.said.clone(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn what_is_so_many_times_another_is_so() {
+        let table = [
+            ("rest/speeds-and-directions", "the plane. The", "the plane and is not brought to rest. The", ""),
+            (
+                "rest/speeds-and-directions",
+                "which is at rest on the plane",
+                "which is at rest on the plane, and *A* then moves on",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. The mass of *A* is 20 times that of *B*.",
+                "`*A*` is 20 times that of `*B*`",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. The mass of *A* is half that of *B*.",
+                "the mass of `*A*` is 1/2 times that of `*B*`",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* has five times the mass of *B*.",
+                "the mass of `*A*` is 5 times that",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* has more than five times the mass of *B*.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* has {mA/mB} times the mass of *B*.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* is a third as heavy as *B*.",
+                "is 1/3 times that",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. The speed of *A* is three times that of *B*.",
+                "the speed of `*A*` is 3 times that",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "Half of the kinetic energy is lost. The coefficient",
+                "half of the kinetic energy",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "*A* loses {1/7} of its kinetic energy. The coefficient",
+                "1/7 of the kinetic energy",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "{99.5}% of the total kinetic energy is lost. The coefficient",
+                "99.5 of the kinetic",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "If half of the kinetic energy is lost, it is warm. The coefficient",
+                "",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

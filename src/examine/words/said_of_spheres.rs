@@ -295,8 +295,171 @@ fn sphere(token: &Token) -> Option<Sphere> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::said_tests::said;
+    use super::super::said_tests::{assert_said, said};
     use crate::examine::Edits;
+
+    #[test]
+    fn masses_and_radii_are_as_they_are_said_to_be_beside_each_other() {
+        let table = [
+            (
+                "deflection/equal-masses",
+                "and each has mass {mA}",
+                "and different masses",
+                "say that the masses are different",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The spheres have equal radii.",
+                "The spheres have different masses and equal radii.",
+                "",
+            ),
+            ("rest/speeds-and-directions", "have equal radii", "have different radii", "the radii are different"),
+            (
+                "rest/speeds-and-directions",
+                "have equal radii",
+                "have equal radii and equal masses",
+                "`*A*` and `*B*` are not",
+            ),
+            (
+                "i-j/energy-lost",
+                "They are moving",
+                "Their masses are equal. They are moving",
+                "masses are equal, and those of",
+            ),
+            (
+                "successive/three-in-a-line",
+                "of equal radius and",
+                "of equal radius, *A* and *B* of equal mass,",
+                "are equal",
+            ),
+            ("deflection/equal-masses", "equal radii", "equal radii and the same mass", ""),
+            ("successive/three-in-a-line", "in that order", "in the order *C*, *B*, *A*", ""),
+            (
+                "successive/three-in-a-line",
+                "*A*, *B* and *C*, of",
+                "*B*, *A* and *C*, of",
+                "`*A*` between `*B*` and `*C*`",
+            ),
+            (
+                "successive/three-in-a-line",
+                "in that order",
+                "in the order *A*, *C*, *B*",
+                "`*C*` between `*A*` and `*B*`",
+            ),
+            ("i-j/energy-lost", "the velocity of *A* is", "the speed of *A* is", "call the vector `[ax, ay]` a speed"),
+            (
+                "i-j/energy-lost",
+                "velocity of *A* is {[ax, ay] m/s}",
+                "velocity of *A* is in the direction of {[ax, ay]}",
+                "",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The spheres have equal radii",
+                "The radius of *A* is twice that of *B*",
+                "the radii are different",
+            ),
+            ("rest/speeds-and-directions", "have equal radii", "have equal radii, and one mass is twice the other", ""),
+            (
+                "rest/heavier-sphere-struck",
+                "respectively. Sphere *B* is",
+                "respectively. Sphere *B*, the lighter, is",
+                "`*B*` is the lighter sphere",
+            ),
+            (
+                "rest/heavier-sphere-struck",
+                "respectively. Sphere *B* is",
+                "respectively. The heavier sphere *B* is",
+                "",
+            ),
+            ("successive/three-in-a-line", "lie in that order\nin a", "lie in a", ""),
+            ("successive/three-in-a-line", "lie in that order\nin a", "lie, with *B* between *A* and *C*, in a", ""),
+            (
+                "successive/three-in-a-line",
+                "lie in that order\nin a",
+                "lie, with *C* between *A* and *B*, in a",
+                "put `*C*` between `*A*` and `*B*`",
+            ),
+            ("successive/three-in-a-line", "after *A* has struck it.", "after its collision with *A*.", ""),
+            (
+                "vector-impulse/mass-from-the-speed-after",
+                "an impulse of\n",
+                "an impulse of magnitude\n",
+                "call the vector `[p, q]` a magnitude",
+            ),
+            (
+                "rest/heavier-sphere-struck",
+                "Sphere *B* is",
+                "The heavier sphere is *A*. *B* is",
+                "`*A*` is the heavier sphere",
+            ),
+            ("rest/heavier-sphere-struck", "Sphere *B* is", "The heavier sphere is *B*. *B* is", ""),
+            (
+                "rest-letters/distance-from-the-centre-of-b",
+                "*A* and *B* each have radius {r}",
+                "*A* and *B* have radii {r} and {2*r}",
+                "give `*B*` the radius `2*r`",
+            ),
+            (
+                "direct/restitution-from-one-speed",
+                "Immediately after the collision the speed of *A* is",
+                "It rebounds and *A* leaves *B* with speed",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly, with equal speeds before it.",
+                "speeds are equal",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "Before it the spheres have equal speeds. The coefficient",
+                "speeds are equal",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "*B* then has the same speed as before. The coefficient",
+                "",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "The speeds of *A* and *B* are equal after it. The coefficient",
+                "speeds are equal",
+            ),
+            (
+                "vector-impulse/mass-from-the-speed-after",
+                "Its speed immediately after",
+                "The magnitude of its velocity immediately after",
+                "",
+            ),
+            (
+                "vector-impulse/mass-from-the-speed-after",
+                "Its speed immediately after",
+                "Its velocity immediately after",
+                "call `v` a velocity",
+            ),
+            ("rest/speeds-and-directions", "have equal radii", "have different radii", "the radii are different"),
+            ("rest/speeds-and-directions", "have equal radii", "have radii 2 cm and 3 cm", "the radii are different"),
+            ("rest/speeds-and-directions", "have equal radii", "have equal radii of 2 cm", ""),
+            (
+                "rest/heavier-sphere-struck",
+                "The coefficient",
+                "The mass of *A* is greater than that of *B*. The coefficient",
+                "`*A*` is greater than that of `*B*`",
+            ),
+            (
+                "rest/heavier-sphere-struck",
+                "The coefficient",
+                "The mass of *A* is less than the mass of *B*. The coefficient",
+                "",
+            ),
+        ];
+        assert_said(&table);
+    }
 
     #[test]
     fn who_is_the_heavier_is_so_for_every_value_of_a_ratio_that_is_found() {

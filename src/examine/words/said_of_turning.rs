@@ -288,3 +288,118 @@ fn through(after: &[Token]) -> String {
     };
     number.unwrap_or_else(words)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn who_turns_back_or_through_an_angle_does_so() {
+        let table = [
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* does not change its direction.",
+                "",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide directly. *A* reverses its direction.",
+                "the direction of `*A*` is changed",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. The direction of *B* is reversed.",
+                "direction of `*B*` is reversed",
+            ),
+            (
+                "ranges/direction-reversed",
+                "A.after.x < 0",
+                "A.after.x > 0",
+                "the direction of `*A*` is reversed, and it is not",
+            ),
+            (
+                "ranges/direction-reversed",
+                "of *A* is reversed",
+                "of *B* is reversed",
+                "the direction of `*B*` is reversed",
+            ),
+            (
+                "walls/rebound-speed-and-direction",
+                "{e}.\n",
+                "{e}. The direction of *A* is reversed.\n",
+                "direction of `*A*` is reversed",
+            ),
+            (
+                "walls/rebound-speed-and-direction",
+                "{e}.\n",
+                "{e}. The path of *A* is turned through a right angle.\n",
+                "`*A*` is turned through 90°",
+            ),
+            (
+                "walls/turned-through-a-right-angle",
+                "through a right angle",
+                "through an angle of {80 deg}",
+                "through 80°",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "is {e}.",
+                "is {e}. Sphere *A* rebounds.",
+                "`*A*` rebounds, and it is not so",
+            ),
+            (
+                "ranges/turned-through-more-than-a-right-angle",
+                "more than a right angle by",
+                "less than a right angle by",
+                "turned through less than a right angle, and it is not so",
+            ),
+            (
+                "ranges/turned-through-more-than-a-right-angle",
+                "through more than a right angle by",
+                "through an obtuse angle by",
+                "",
+            ),
+            (
+                "rest-letters/turned-through-a-right-angle",
+                "turned through a right angle",
+                "turned through an acute angle",
+                "turned through an acute angle, and it is not so",
+            ),
+            (
+                "rest-letters/turned-through-a-right-angle",
+                "the direction of motion of *A* is turned",
+                "the direction of motion of *B* is turned",
+                "the path of `*B*` is turned, and `*B*` is at rest before",
+            ),
+            (
+                "vector-impulse/mass-from-the-speed-after",
+                "Its speed immediately after the impulse is {v m/s}.",
+                "Immediately after, its path is not perpendicular to its path before, and *A* has speed {v m/s}.",
+                "",
+            ),
+            (
+                "rest-letters/turned-through-a-right-angle",
+                "turned through a right angle",
+                "turned through an angle of {60 deg}",
+                "`*A*` is turned through 60°",
+            ),
+            ("ranges/mass-ratio-when-a-goes-on", "is not changed", "is reversed", "the direction of `*A*` is reversed"),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. *B* has its direction of motion reversed.",
+                "`*B*` is reversed",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "collide directly.",
+                "collide. They then move in opposite directions.",
+                "",
+            ),
+        ];
+        assert_said(&table);
+    }
+}

@@ -105,3 +105,19 @@ impl Seen<'_> {
         (own.abs() > 1e-9 && towards.abs() > 1e-9).then_some(own * towards > 0.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn who_moves_towards_a_wall_comes_to_it() {
+        let table = [
+            ("walls/tangents-in-letters", "towards a smooth", "away from a smooth", "away from the wall at first"),
+            ("walls/tangents-in-letters", "rebounds from it", "rebounds, moving away from the wall", ""),
+            ("successive/second-collision", "{u m/s} along", "{u m/s} towards the wall along", ""),
+            ("successive/second-collision", "{u m/s} along", "{u m/s} away from the wall along", "away from the wall"),
+        ];
+        assert_said(&table);
+    }
+}

@@ -395,3 +395,59 @@ fn component(variant: &Variant, sphere: Sphere) -> Option<f64> {
     let [i, j] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Line(axis)));
     Some(x? * i? + y? * j?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::said_tests::assert_said;
+
+    #[test]
+    fn who_moves_towards_whom_does_so() {
+        let table = [
+            (
+                "direct/one-sphere-catches-the-other",
+                "in the same direction",
+                "in opposite directions",
+                "A and B move in opposite directions",
+            ),
+            (
+                "direct/one-sphere-catches-the-other",
+                "in the same direction",
+                "in the opposite direction along one line",
+                "A and B move in the opposite",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "moving towards the other",
+                "moving towards each other in the same direction",
+                "A and B move in the same direction",
+            ),
+            ("direct/one-sphere-catches-the-other", "in the same direction", "towards each other", "B moves towards A"),
+            (
+                "direct/one-sphere-catches-the-other",
+                "in the same direction",
+                "away from each other",
+                "A moves away from B",
+            ),
+            (
+                "walls/tangents-in-letters",
+                "A smooth sphere *A* of mass {mass} slides",
+                "A smooth sphere *A* of mass {mass} at rest slides",
+                "at rest",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "moving towards the other",
+                "moving in the same direction",
+                "A and B move in the same direction",
+            ),
+            ("both-moving/components-given", "centres, towards *A*", "centres, away from *A*", "B moves away from A"),
+            (
+                "direct/mass-from-the-velocities",
+                "are moving towards each other",
+                "are moving in the same direction",
+                "A and B move in the same direction",
+            ),
+        ];
+        assert_said(&table);
+    }
+}
