@@ -40,22 +40,8 @@ impl Seen<'_> {
         let range = |name: &str| self.question.scene.symbols.get(name).map(String::as_str);
         for (place, token) in sentence.iter().enumerate() {
             let Token::Number(expr, Unit::None, lead) = token else { continue };
-            if let (Expr::Name(name), Some(said)) = (expr, compared(&sentence[place + 1..]))
-                && let Some(range @ ("unit" | "positive" | "acute")) = range(&name.text)
-            {
-                let is_outside = match said {
-                    (Ordering::Less, bound) => bound <= 0.0,
-                    (_, bound) => range == "unit" && bound >= 1.0,
-                };
-                if is_outside {
-                    let how = if said.0.is_lt() { "less" } else { "greater" };
-                    let message = format!(
-                        "the words say that `{}` is {how} than {}, and the scene declares it `{range}`",
-                        name.text, said.1
-                    );
-                    let help = format!("say what `[scene.symbols]` has for `{}`, or declare it otherwise", name.text);
-                    findings.push(self.finding(message, &format!("{how} than"), &help));
-                }
+            if let (Expr::Name(name), Some(said)) = (expr, compared(&sentence[place + 1..])) {
+                self.beside_a_bound(&name.text, expr, said, findings);
                 continue;
             }
             let (name, is_outside) = match expr {
@@ -100,6 +86,27 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, &help));
             }
         }
+    }
+
+    /// `{e}, which is greater than 1`, where it cannot be, or is not.
+    fn beside_a_bound(&self, name: &str, expr: &Expr, (side, bound): (Ordering, f64), findings: &mut Vec<Finding>) {
+        let has = match self.question.scene.symbols.get(name).map(String::as_str) {
+            Some(range @ ("unit" | "positive" | "acute")) => {
+                let is_outside = if side.is_lt() { bound <= 0.0 } else { range == "unit" && bound >= 1.0 };
+                is_outside.then(|| format!("the scene declares it `{range}`"))
+            }
+            Some(_) => None,
+            None => {
+                let value = self.number(expr).filter(|value| value.to_f64().is_some());
+                let is_so = |value: &Value| value.to_f64().and_then(|value| value.partial_cmp(&bound)) == Some(side);
+                value.filter(|value| !is_so(value)).map(|value| format!("it is {}", print::unicode(&written(&value))))
+            }
+        };
+        let Some(has) = has else { return };
+        let how = if side.is_lt() { "less" } else { "greater" };
+        let message = format!("the words say that `{name}` is {how} than {bound}, and {has}");
+        let help = format!("say what the scene has for `{name}`, or mend it there");
+        findings.push(self.finding(message, &format!("{how} than"), &help));
     }
 
     /// What is found for a letter, one value or a range of them, where none of it is on this side of a bound.

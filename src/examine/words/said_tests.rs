@@ -38,7 +38,7 @@ fn sentences_of_other_teachers_contradict_nothing() {
     let again = "rest/components-of-each-velocity";
     let heavier = "rest/heavier-sphere-struck";
     let struck = "rest on a smooth horizontal plane when it is struck by *A*, which is moving on the plane.";
-    let table: [(&str, Edits, &str); 18] = [
+    let table: [(&str, Edits, &str); 20] = [
         (
             rest,
             &[("*A*, of mass {mA kg}, is moving", "*A*, of mass {mA kg}, is at rest")],
@@ -49,6 +49,12 @@ fn sentences_of_other_teachers_contradict_nothing() {
             &[("{m}, {u} and {e}, the kinetic", "{m}, {u} and {e}, which is greater than 1, the kinetic")],
             "say that `e` is greater than 1",
         ),
+        (
+            rest,
+            &[("spheres is {e}.", "spheres is {e}, which is greater than 1.")],
+            "say that `e` is greater than 1, and it is",
+        ),
+        (rest, &[("spheres is {e}.", "spheres is {e}, which is less than 1.")], ""),
         (again, &[], ""),
         (heavier, &[(struck, "rest on a smooth horizontal plane. *A* strikes the heavier sphere *B*.")], ""),
         (

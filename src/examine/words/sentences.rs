@@ -46,9 +46,20 @@ fn each_sentence(words: &Words, remarks: &mut Vec<Remark>) {
             _ => true,
         };
         if !ends {
-            remarks.push(remark("a sentence without a full stop", &tail(text), "end it with a full stop"));
+            let help = if leads_up_to_a_note(words, place) { BETWEEN } else { "end it with a full stop" };
+            remarks.push(remark("a sentence without a full stop", &tail(text), help));
         }
     }
+}
+
+/// What to do where the stem leads up to the question in some styles alone.
+const BETWEEN: &str =
+    "end the stem with a full stop and begin the question with a capital: the `note` of this style stands between them";
+
+/// Does a text end in the middle of a sentence, before the note with which the words of a style end?
+fn leads_up_to_a_note(words: &Words, place: usize) -> bool {
+    let goes_on = words.stem.get(place).is_some_and(|text| tail(text).ends_with([',', ';']));
+    goes_on && place + 2 == words.stem.len() && words.asks.first().is_some_and(|ask| is_begun_small(ask))
 }
 
 /// A text that begins in small letters, unless what stands before it leads up to it: `Find`, `(a) the speed of *A*`.
@@ -57,7 +68,9 @@ fn without_a_capital(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
     let leads_up = || words.stem.last().is_some_and(|last| !tail(last).ends_with(['.', '?', '!', ']']));
     if is_begun_small(text) && !leads_up() {
         let at = start.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
-        remarks.push(remark_at("a sentence without a capital", &at, &at, "begin it with a capital letter"));
+        let is_parted = words.stem.len() > 1 && leads_up_to_a_note(words, words.stem.len() - 2);
+        let help = if is_parted { BETWEEN } else { "begin it with a capital letter" };
+        remarks.push(remark_at("a sentence without a capital", &at, &at, help));
     }
 }
 
@@ -399,5 +412,11 @@ mod tests {
             let said = format!("{remarks:?}");
             assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{stem} {asks:?}: {said}");
         }
+        // The note of a style comes between them.
+        let stem = [text("*A* strikes *B*. Given that e is {e},"), text("Give it to 3 significant figures.")];
+        let words = Words { stem: stem.to_vec(), asks: vec![text("find the speed of *A*.")], said: vec![] };
+        let mut remarks = Vec::new();
+        each_sentence(&words, &mut remarks);
+        assert_eq!(format!("{remarks:?}").matches("`note` of this style").count(), 2, "{remarks:?}");
     }
 }
