@@ -26,7 +26,7 @@ enum Worked {
     #[default]
     NotAtAll,
     /// As far as requirements have asked.
-    InPart(Opened),
+    InPart(Box<Opened>),
     Out(Posed),
     /// There is none, and why.
     Refused(Unfit),
@@ -171,7 +171,7 @@ impl<'s> Numbers<'s> {
             let opened = self.givens().map_err(|_| Unfit::NoValue).and_then(|givens| {
                 Opened::new(self.sieve.question, givens.clone()).map_err(|reason| Unfit::from(&reason))
             });
-            *worked = opened.map_or_else(Worked::Refused, Worked::InPart);
+            *worked = opened.map_or_else(Worked::Refused, |opened| Worked::InPart(Box::new(opened)));
         }
         worked
     }

@@ -3,6 +3,7 @@
 mod agreement;
 mod alone;
 mod backwards;
+mod begun;
 mod exact_forms;
 mod forms;
 mod impacts;

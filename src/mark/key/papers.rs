@@ -183,6 +183,28 @@ mod tests {
         }
     }
 
+    /// Whether a right answer shows that a step was right is a matter of the question, and no chance of its numbers.
+    #[test]
+    fn what_a_right_answer_implies_is_the_same_in_all_variants() {
+        for (id, text) in shipped() {
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let dealt = question.styles.iter().flat_map(|style| Deal::new(&question, style, 3).take(20));
+            let variants: Vec<_> = reference(&question).into_iter().chain(dealt).collect();
+            let place = 1..;
+            let keyed = variants.iter().zip(place);
+            let keyed =
+                keyed.map(|(variant, place)| key_question(&question, variant, &compose(&question, variant, place)));
+            let key = serde_json::to_string(&Key::new("shipped".to_owned(), None, keyed.collect())).unwrap();
+            let key = AnswerKey::read(&key).unwrap();
+            let questions = &key.papers[0].questions;
+            let needed =
+                |of: &KeyedQuestion| -> Vec<_> { of.parts.iter().map(|part| of.needed(part).to_vec()).collect() };
+            for (keyed, variant) in questions.iter().zip(&variants) {
+                assert_eq!(needed(keyed), needed(&questions[0]), "{id}: {:?}", variant.parameters);
+            }
+        }
+    }
+
     #[test]
     fn a_key_that_contradicts_itself_is_refused() {
         let of = |ids: [&'static str; 2]| {

@@ -210,14 +210,21 @@ impl Prepared {
     }
 
     /// Would an answer be another if the step that earns a mark were wrong? Its result is changed by a few hundredths to
-    /// see; what is nought stays nought.
+    /// see; what is nought stays nought. Numbers may hide it by chance, as where *A* leaves with the velocity that *B* had: so
+    /// it is tried with others too.
     pub(crate) fn is_needed(&self, step: &EarnedFor, find: &Find) -> bool {
         let asked = find.quantities();
         if asked.is_empty() || matches!(step, EarnedFor::Condition | EarnedFor::Unknown(_)) {
             return true;
         }
-        let mut right = self.given[0].clone();
-        let (derivation, _) = Derivation::carry_out(&mut right, &asked);
+        let given = &self.given[0];
+        self.is_needed_from(given, step, &asked) || self.is_needed_from(&with_other_numbers(given), step, &asked)
+    }
+
+    /// The same, from what is given.
+    fn is_needed_from(&self, given: &Known<f64>, step: &EarnedFor, asked: &[Quantity]) -> bool {
+        let mut right = given.clone();
+        let (derivation, _) = Derivation::carry_out(&mut right, asked);
         let along: Vec<Quantity> = step.quantities().iter().map(|quantity| along_for(*quantity, self)).collect();
         let is_step = |rule: &Rule, quantity: Quantity| match step {
             EarnedFor::Law(law, sphere) => {
@@ -231,7 +238,7 @@ impl Prepared {
         if !derivation.steps.iter().any(|rule| on_the_way(rule)) {
             return true;
         }
-        let mut wrong = self.given[0].clone();
+        let mut wrong = given.clone();
         let mut results = 0;
         for rule in &derivation.steps {
             for (quantity, datum) in rule.gives.iter().zip(rule.evaluate(&wrong).unwrap_or_default()) {
@@ -270,6 +277,18 @@ fn changed(datum: Datum<f64>, place: usize) -> Datum<f64> {
         Datum::Direction { y, x } => Datum::Direction { y: 1.07 * y, x },
         Datum::Equation([p, q, r]) => Datum::Equation([p, 1.07 * q, 1.11 * r]),
     }
+}
+
+/// The same with other masses, another *e* and other velocities, each changed by another part.
+fn with_other_numbers(given: &Known<f64>) -> Known<f64> {
+    use Quantity::{Mass, Restitution, Speed, Velocity};
+    let mut other = given.clone();
+    for (place, (quantity, datum)) in given.0.iter().enumerate() {
+        if matches!(quantity.of_its_impact(), Mass(_) | Restitution | Velocity(..) | Speed(..)) {
+            other.0.insert(*quantity, changed(datum.clone(), place));
+        }
+    }
+    other
 }
 
 /// All that follows from what is known.
