@@ -632,13 +632,10 @@ fn an_answer_for_which_nobody_asks_is_named() {
 
 #[test]
 fn what_students_earn_is_told_with_their_numbers_and_what_to_try() {
-    let edits = [("\"B.after.x != 0\"", "\"B.after.x = 0\"")];
-    let (_, said) = checked("nought", "direct/restitution-from-one-speed", &edits);
-    for words in
-        ["the mark A1a of part (a) is not given for right answers in exact form: `0 |", "`speed of B` is nought there"]
-    {
-        assert!(said.contains(words), "no `{words}` in\n{said}");
-    }
+    // A goes off at right angles, and nobody has a tangent to write down.
+    let (_, said) = checked("no-tangent", "rest/speeds-and-directions", &[("  \"kA >= 1/8\",\n", "")]);
+    let words = "the mark A1f is not given for the model solution: `90°`, with mA = ";
+    assert!(said.contains(words), "no `{words}` in\n{said}");
     let edits = [("A.after.x < 0", "A.after.x > 0"), ("is reversed", "is not changed"), ("mA < mB", "mA = mB")];
     let (_, said) = checked("end", "ranges/direction-reversed", &edits);
     for words in

@@ -217,17 +217,10 @@ fn of_part(id: &str, label: &str) -> String {
     if label.is_empty() { id.to_owned() } else { format!("{id} of part ({label})") }
 }
 
-/// What an author can do, where what the student wrote tells it.
+/// What an author can do, where that is known.
 fn help(question: &KeyedQuestion, student: &Student, what: &str) -> Option<String> {
-    let is_right = matches!(student.expected, Expected::Everything | Expected::AllButShown);
-    let answers = student.script.parts.iter().flat_map(|part| &part.answers);
-    let nought = answers.into_iter().find(|(_, written)| written == "0").and_then(|(name, _)| name.as_ref());
-    match (nought, &student.expected) {
-        (Some(name), _) if is_right => Some(format!(
-            "`{name}` is nought there, which may leave a step of the scheme without a line of its own: require that it is \
-             not, in `require`, or name another step in `for`"
-        )),
-        (_, Expected::Wrong { part, blank }) if what == RIGHT && student.who == ENDS_COUNTED => {
+    match &student.expected {
+        Expected::Wrong { part, blank } if what == RIGHT && student.who == ENDS_COUNTED => {
             let letter = question.parts.get(*part)?.blanks.get(*blank)?.find.name();
             Some(format!(
                 "whether an end of all that `{letter}` can be is counted costs nobody a mark: require numbers with which the \
