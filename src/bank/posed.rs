@@ -65,6 +65,19 @@ impl Opened {
         let solution = Arc::new(solution.map_err(Unposed::Refused)?);
         Ok(Posed { givens, scene, solution })
     }
+
+    /// Solves it for no more than what is determined, where something that is wanted is left open; nothing if there is more
+    /// than one solution.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Opened::solve`].
+    pub fn as_far_as_determined(self, wanted: &[Quantity]) -> Result<Option<Posed>, Unposed> {
+        let Opened { givens, scene, .. } = self;
+        let mut solutions = solve_all(Arc::clone(&scene), wanted).map_err(Unposed::Refused)?;
+        let only = solutions.pop().filter(|_| solutions.is_empty());
+        Ok(only.map(|solution| Posed { givens, scene, solution: Arc::new(solution) }))
+    }
 }
 
 /// Why numbers do not make a question.
@@ -86,24 +99,6 @@ impl Posed {
     /// Why these numbers do not make a question that can be solved.
     pub fn new(question: &Question, style: &Style, givens: Givens) -> Result<Posed, Unposed> {
         Opened::new(question, Arc::new(givens))?.solve(&question.wanted(style))
-    }
-
-    /// The same with no more than what is determined, where something that is wanted is left open; nothing if there is more
-    /// than one solution.
-    ///
-    /// # Errors
-    ///
-    /// As for [`Posed::new`].
-    pub fn as_far_as_determined(
-        question: &Question,
-        wanted: &[Quantity],
-        givens: Arc<Givens>,
-    ) -> Result<Option<Posed>, Unposed> {
-        let scene = Scene::read(&question.scene, &*givens, Angles::Degrees).map_err(Unposed::Scene)?;
-        let scene = Arc::new(scene);
-        let mut solutions = solve_all(Arc::clone(&scene), wanted).map_err(Unposed::Refused)?;
-        let only = solutions.pop().filter(|_| solutions.is_empty());
-        Ok(only.map(|solution| Posed { givens, scene, solution: Arc::new(solution) }))
     }
 
     /// Does a requirement hold?

@@ -8,7 +8,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use super::shows::Slips;
-use crate::bank::{Posed, Question, Requirement, Style};
+use crate::bank::{Opened, Question, Requirement, Style};
 use crate::generate::{Deal, Variant};
 use crate::mechanics::{Quantity, Slip};
 
@@ -134,7 +134,8 @@ fn variants(question: &Question, style: &Style, acting: u128, requirements: &[Re
     let look = |variant: Variant| {
         let mut slips = Slips::default();
         slips.follow(question, &variant);
-        let posed = Posed::as_far_as_determined(question, &wanted, variant.givens.clone()).ok()??;
+        let opened = Opened::new(question, variant.givens.clone()).ok()?;
+        let posed = opened.as_far_as_determined(&wanted).ok()??;
         let is_unmet = |requirement: &Requirement| requirement.holds(&|name| posed.meaning(name)) == Ok(false);
         let hidden = slips.hidden(acting).into_iter().map(|(tag, ..)| tag).collect();
         Some(Seen { unmet: requirements.iter().map(is_unmet).collect(), hidden })

@@ -84,12 +84,15 @@ impl Slips {
         }
         for (place, (slip, answers)) in showing.iter().enumerate() {
             for (other, others) in &showing[place + 1..] {
+                if self.told[*slip] >> other & 1 == 1 {
+                    continue;
+                }
                 // Who finds nothing writes nothing, whatever the mistake.
                 if !answers.iter().zip(*others).any(|(one, other)| one.is_some() && other.is_some()) {
                     continue;
                 }
                 self.beside[*slip] |= 1 << other;
-                if self.told[*slip] >> other & 1 == 0 && differ(answers, others) {
+                if differ(answers, others) {
                     self.told[*slip] |= 1 << other;
                 }
             }

@@ -152,13 +152,13 @@ impl<'s> Numbers<'s> {
     }
 
     /// The first requirement that what is determined does not meet, where something else is left open: one on its speed
-    /// turns away a sphere that is at rest and so has no direction.
+    /// turns away a sphere that is at rest and so has no direction. Without unknowns it has turned it away before.
     fn turned_away_though_open(&self, sieve: &Sieve, reason: &Unfit) -> Option<Unfit> {
-        if *reason != Unfit::Underdetermined {
+        if *reason != Unfit::Underdetermined || sieve.question.scene.unknowns.is_empty() {
             return None;
         }
-        let givens = self.givens().ok()?.clone();
-        let posed = Posed::as_far_as_determined(sieve.question, &sieve.wanted, givens).ok()??;
+        let opened = Opened::new(sieve.question, self.givens().ok()?.clone()).ok()?;
+        let posed = opened.as_far_as_determined(&sieve.wanted).ok()??;
         let is_unmet = |requirement: &Requirement| requirement.holds(&|name| posed.meaning(name)) == Ok(false);
         let unmet = sieve.on_results().find(|(_, requirement, _)| is_unmet(requirement));
         unmet.map(|(place, ..)| Unfit::Results(place))

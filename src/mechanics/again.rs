@@ -57,8 +57,8 @@ pub(super) struct Order {
     gives: Vec<Vec<Option<(usize, usize)>>>,
     /// All that some step gives and that another needs, or that was asked.
     of_use: Set,
-    /// Of each slip, by its place in [`Slip::all`]: may it take the place of a law at some step?
-    slips: Vec<bool>,
+    /// At which steps each slip, by its place, may take the place of the law.
+    slips: Vec<Set>,
 }
 
 /// A set of steps or of quantities, by their places. Of so many that they do not fit the last share a place.
@@ -72,6 +72,10 @@ impl Set {
 
     fn has(self, place: usize) -> bool {
         self.0 >> place.min(127) & 1 == 1
+    }
+
+    fn or(self, other: Set) -> Set {
+        Set(self.0 | other.0)
     }
 
     fn meets(self, other: Set) -> bool {
@@ -99,7 +103,7 @@ impl Steps {
 
     /// The steps of both.
     pub fn and(self, other: Steps) -> Steps {
-        Steps(Set(self.0.0 | other.0.0))
+        Steps(self.0.or(other.0))
     }
 
     /// Do the two have a step in common?
@@ -139,12 +143,21 @@ impl Order {
         let place_of = |quantity: &Quantity| places.get(quantity).copied();
         let all = |needs: &[Quantity]| needs.iter().filter_map(place_of).fold(Set::default(), Set::with);
         let needs = derivation.steps.iter().map(|step| all(&step.needs)).collect();
-        let given = derivation.steps.iter().fold(Set::default(), |given, step| Set(given.0 | all(&step.gives).0));
-        let needed = derivation.steps.iter().fold(all(asked), |needed, step| Set(needed.0 | all(&step.needs).0));
+        let given = derivation.steps.iter().fold(Set::default(), |given, step| given.or(all(&step.gives)));
+        let needed = derivation.steps.iter().fold(all(asked), |needed, step| needed.or(all(&step.needs)));
         let of_use = Set(given.0 & needed.0);
-        let is_at = |made: MadeSlip| derivation.steps.iter().any(|step| made.is_at(step));
-        let slips = Slip::all().iter().map(|owned| is_at(MadeSlip::everywhere(*owned))).collect();
+        let mut slips = vec![Set::default(); 1 + Slip::all().last().map_or(0, |(_, last)| usize::from(last.place))];
+        for owned in Slip::all() {
+            let made = MadeSlip::everywhere(*owned);
+            let steps = derivation.steps.iter().enumerate().filter(|(_, step)| made.is_at(step));
+            slips[usize::from(owned.1.place)] = steps.fold(Set::default(), |at, (step, _)| at.with(step));
+        }
         Order { places, needs, gives, of_use, slips }
+    }
+
+    /// The steps at which a slip may take the place of the law.
+    fn at(&self, slip: &Slip) -> Set {
+        self.slips[usize::from(slip.place)]
     }
 }
 
@@ -198,9 +211,9 @@ impl<N: Number + PartialEq> Carried<N> {
         self.order.of_use.meets(trace.changed)
     }
 
-    /// May a slip, by its place in [`Slip::all`], take the place of a law at some step?
-    pub fn has_law_of(&self, slip: usize) -> bool {
-        self.order.slips[slip]
+    /// May a slip take the place of a law at some step?
+    pub fn has_law_of(&self, slip: &Slip) -> bool {
+        self.order.at(slip) != Set::default()
     }
 
     /// The impacts at which it has a law that the slip may take the place of, each once.
@@ -221,7 +234,7 @@ impl<N: Number + PartialEq> Carried<N> {
         for (step, gives) in self.order.gives.iter().enumerate().rev() {
             if gives.iter().flatten().any(|(entered, _)| needed.has(*entered)) {
                 steps = steps.with(step);
-                needed = Set(needed.0 | self.order.needs[step].0);
+                needed = needed.or(self.order.needs[step]);
             }
         }
         Steps(steps)
@@ -255,8 +268,10 @@ impl<N: Number + PartialEq> Carried<N> {
             trace.changed = self.order.places.get(quantity).map_or(trace.changed, |place| trace.changed.with(*place));
         }
         let kept = trace.changed;
+        let of_slips = slips.iter().fold(Set::default(), |all, made| all.or(self.order.at(made.slip)));
         for (place, step) in self.plan.derivation.steps.iter().enumerate() {
-            if !steps.has(place) {
+            let is_affected = self.order.needs[place].meets(trace.changed);
+            if !(is_affected || of_slips.has(place)) || !steps.has(place) {
                 continue;
             }
             let mut tried = slips.iter().filter(|made| made.is_at(step));
@@ -264,7 +279,7 @@ impl<N: Number + PartialEq> Carried<N> {
             if slipped.is_some() {
                 trace.slipped = Steps(trace.slipped.0.with(place));
             }
-            if self.order.needs[place].meets(trace.changed) {
+            if is_affected {
                 trace.affected = Steps(trace.affected.0.with(place));
             } else if slipped.is_none() {
                 continue;

@@ -109,7 +109,7 @@ fn carried_out<const N: usize>(
     let mut outcomes = Vec::with_capacity(MANY);
     for (slip, owned) in Slip::all().iter().enumerate() {
         let mut acts = false;
-        let shown = roads.iter_mut().filter(|road| road.has_law_of(slip)).find_map(|road| {
+        let shown = roads.iter_mut().filter(|road| road.has_law_of(owned.1)).find_map(|road| {
             let made = [MadeSlip::everywhere(*owned)];
             let looked = road.again(&made, &[], |carried, trace| {
                 // What is found backwards is not known yet.
