@@ -369,6 +369,9 @@ pub struct NotAFraction;
 impl FromStr for Fraction {
     type Err = NotAFraction;
     fn from_str(text: &str) -> Result<Fraction, NotAFraction> {
+        if let (false, Ok(small)) = (text.starts_with('+'), text.parse::<i64>()) {
+            return Ok(small.into());
+        }
         let integer = |text: &str| {
             let digits = text.strip_prefix('-').unwrap_or(text);
             let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
@@ -378,22 +381,18 @@ impl FromStr for Fraction {
             return Fraction::from_integers(integer(numerator)?, integer(denominator)?).ok_or(NotAFraction);
         }
         let Some((whole, decimals)) = text.split_once('.') else { return Ok(integer(text)?.into()) };
-        if !decimals.bytes().all(|byte| byte.is_ascii_digit()) || (decimals.is_empty() && whole.is_empty()) {
+        let digits = whole.strip_prefix('-').unwrap_or(whole);
+        if !decimals.bytes().all(|byte| byte.is_ascii_digit()) || (decimals.is_empty() && digits.is_empty()) {
             return Err(NotAFraction);
         }
         // As nearly all are: ten to the power 18 is a machine integer.
-        let digits = whole.strip_prefix('-').unwrap_or(whole);
         if digits.len() + decimals.len() <= 18 && digits.bytes().all(|byte| byte.is_ascii_digit()) {
             let both = digits.bytes().chain(decimals.bytes());
             let all = both.fold(0_i128, |all, digit| 10 * all + i128::from(digit - b'0'));
             let signed = if whole.len() > digits.len() { -all } else { all };
             return Ok(Fraction::reduce(signed, 10_i128.pow(decimals.len() as u32)));
         }
-        let all = integer(&if whole.is_empty() || whole == "-" {
-            format!("{whole}0{decimals}")
-        } else {
-            format!("{whole}{decimals}")
-        })?;
+        let all = integer(&format!("{whole}{decimals}"))?;
         Fraction::from_integers(all, IBig::from(10).pow(decimals.len())).ok_or(NotAFraction)
     }
 }
@@ -431,7 +430,7 @@ mod tests {
         ] {
             assert_eq!(read(text).to_string(), exact, "{text}");
         }
-        for text in ["", ".", "-", "1/0", "1.2.3", "1e3", "+1", "+1.5", "1.+5", "1_0", "--1"] {
+        for text in ["", ".", "-", "-.", "1/0", "1.2.3", "1e3", "+1", "+1.5", "1.+5", "1_0", "--1"] {
             assert!(text.parse::<Fraction>().is_err(), "{text}");
         }
     }
