@@ -63,7 +63,7 @@ impl Measure {
             Measure::Denominator => {
                 below.as_constant()?;
                 let mut common = Fraction::ONE;
-                for coefficient in terms.values() {
+                for coefficient in terms.coefficients() {
                     let denominator = Fraction::from(coefficient.as_constant()?.denominator());
                     let shared = Fraction::from((&common / &denominator).denominator());
                     // Times what the other denominator has beyond the common one.
@@ -73,7 +73,7 @@ impl Measure {
             }
             Measure::Radicand => {
                 let mut largest = Fraction::ONE;
-                for roots in terms.keys() {
+                for roots in terms.products() {
                     let mut product = Fraction::ONE;
                     for root in roots {
                         match root {

@@ -47,11 +47,11 @@ pub(super) fn collect(value: &Value) -> (Vec<Term>, Polynomial) {
         squares.insert(angle, count);
     }
     let mut terms = Vec::new();
-    for (roots, coefficient) in value.numerator_terms() {
+    for (roots, coefficient) in value.numerator_terms().iter() {
         for (monomial, number) in coefficient.terms() {
             let mut cosines = squares.clone();
             let (mut surd, mut nested) = (Fraction::ONE, Vec::new());
-            for root in &roots {
+            for root in roots {
                 match root {
                     Root::Prime(prime) => surd = &surd * &Fraction::from(dashu_int::IBig::from(*prime)),
                     Root::Cosine(angle) => *cosines.entry(*angle).or_insert(0) += 1,

@@ -8,7 +8,7 @@ pub(super) const OF_AN_IMPACT: usize = 256;
 
 impl Quantity {
     /// Its place. Places are in the order in which quantities are declared, and no two quantities share one.
-    #[inline] // of a quantity that a law names it is known before the program runs
+    #[inline(always)] // of a quantity that a law names it is known before the program runs
     pub(super) fn place(self) -> usize {
         use Quantity::*;
         let of = |first: usize, sphere: Sphere| first + sphere as usize;

@@ -74,7 +74,13 @@ impl<T> Quantities<T> {
 
     /// What there is about a quantity.
     pub fn get(&self, quantity: &Quantity) -> Option<&T> {
-        self.entry(quantity.place()).map(|entry| &self.entries[entry].about)
+        self.at(quantity.place())
+    }
+
+    /// What there is about the quantity of a place.
+    #[inline]
+    pub(super) fn at(&self, place: usize) -> Option<&T> {
+        self.entry(place).map(|entry| &self.entries[entry].about)
     }
 
     /// What there is about the quantity of a place, to be changed.

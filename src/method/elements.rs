@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 
 use smallvec::SmallVec;
 
-use crate::number::{Fraction, Monomial, Polynomial, Root, Value};
+use crate::number::{Fraction, Monomial, Polynomial, Root, Roots, Value};
 
 /// A product of roots and powers of letters.
-pub(super) type Element = (Vec<Root>, Monomial);
+pub(super) type Element = (Roots, Monomial);
 
 /// The coefficients of a value, each with its element.
 pub(super) type Coefficients = SmallVec<[(Element, Fraction); 2]>;
@@ -24,10 +24,11 @@ pub(super) fn coefficients(value: &Value) -> Option<Coefficients> {
         }
         return Some(coefficients);
     }
-    if !value.denominator().is_one() {
+    let (terms, below) = value.parts();
+    if !below.is_one() {
         return None;
     }
-    for (roots, polynomial) in value.numerator_terms() {
+    for (roots, polynomial) in terms.iter() {
         for (monomial, coefficient) in polynomial.terms() {
             coefficients.push(((roots.clone(), monomial.clone()), coefficient.clone()));
         }
@@ -49,6 +50,6 @@ pub(super) fn sum<'a>(coefficients: impl Iterator<Item = (&'a Element, Fraction)
         return Value::from(rational);
     }
     terms.entry(&[]).or_default().push((Monomial::new(), rational));
-    let terms = terms.into_iter().map(|(roots, terms)| (roots.to_vec(), Polynomial::from_terms(terms)));
+    let terms = terms.into_iter().map(|(roots, terms)| (roots.into(), Polynomial::from_terms(terms)));
     Value::build(terms.filter(|(_, terms)| !terms.is_zero()).collect(), Polynomial::one())
 }

@@ -42,7 +42,7 @@ pub(super) fn proportion([one, other]: &[Value; 2]) -> Option<[Fraction; 2]> {
     if left.len() != right.len() {
         return None;
     }
-    for ((roots, above), (same, below)) in left.iter().zip(&right) {
+    for ((roots, above), (same, below)) in left.iter().zip(right.iter()) {
         if roots != same || above.terms().len() != below.terms().len() {
             return None;
         }

@@ -14,13 +14,15 @@
 //!   sign is known if all these coefficients have one sign once a coefficient of restitution `e` is
 //!   written `1/(1+x)`, `x` positive, or if it has one at all corners of a cosine and a sine.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use dashu_int::ops::BitTest;
 
 use super::polynomial::{Monomial, Polynomial};
-use super::value::{Root, Terms, Value, term};
+use super::terms::{Roots, Terms};
+use super::value::{Root, Value};
 use super::{FloatInterval, Fraction, Interval, Letter, Range, waves};
 
 /// Beyond this many binary places a decision is not tried any further. No angle in whole
@@ -45,7 +47,7 @@ impl Value {
         if let Some(root) = nested {
             if is_one_product(&compound.terms) {
                 let is_nought = |root: &Root| matches!(root, Root::Nested { .. }) && root.square().is_zero();
-                return compound.terms.keys().flatten().any(is_nought);
+                return compound.terms.products().flatten().any(is_nought);
             }
             // Nearly always one point tells, of what is very small more finely; and to square root after root is long.
             return self.may_vanish(0, 64) && self.may_vanish(0, 512) && self.is_zero_with(root);
@@ -93,14 +95,17 @@ impl Value {
         if self.is_constant() {
             return constant_sign(self);
         }
-        let below = common_sign(&term(Vec::new(), compound.denominator.clone()))?;
+        let below = match compound.denominator.is_one() {
+            true => Ordering::Greater,
+            false => common_sign(&Terms::one(Roots::new(), compound.denominator.clone()))?,
+        };
         let whole = || Value::build(compound.terms.clone(), Polynomial::one());
         let above = common_sign(&compound.terms).or_else(|| whole().sign_at_corners())?;
         Some(if below.is_lt() { above.reverse() } else { above })
     }
 
     /// The coefficient of each product of letters (and of roots that hold letters) above the denominator.
-    pub(crate) fn coefficients(&self) -> BTreeMap<(Vec<Root>, Monomial), Value> {
+    pub(crate) fn coefficients(&self) -> BTreeMap<(Roots, Monomial), Value> {
         let mut groups = by_letters(&self.parts().0);
         groups.retain(|_, coefficient| !coefficient.is_zero());
         groups
@@ -114,21 +119,21 @@ impl Value {
 
 /// Is there a single product of roots and letters, and nothing in it that is given as a number of degrees?
 fn is_one_product(terms: &Terms) -> bool {
-    let mut products = terms.values().flat_map(Polynomial::terms);
+    let mut products = terms.coefficients().flat_map(Polynomial::terms);
     let is_free = |(letters, _): &(Monomial, Fraction)| !letters.iter().any(|(letter, _)| letter.is_constant());
     products.next().is_some_and(is_free) && products.next().is_none()
 }
 
 /// The value's coefficient of each product of letters (and of roots that hold letters).
-fn by_letters(terms: &Terms) -> BTreeMap<(Vec<Root>, Monomial), Value> {
-    let mut groups: BTreeMap<(Vec<Root>, Monomial), Value> = BTreeMap::new();
-    for (key, coefficient) in terms {
-        let (constant, lettered): (Vec<Root>, Vec<Root>) =
+fn by_letters(terms: &Terms) -> BTreeMap<(Roots, Monomial), Value> {
+    let mut groups: BTreeMap<(Roots, Monomial), Value> = BTreeMap::new();
+    for (key, coefficient) in terms.iter() {
+        let (constant, lettered): (Roots, Roots) =
             key.iter().cloned().partition(|root| Value::root(root.clone()).is_constant());
         for (monomial, number) in coefficient.terms() {
             let (fixed, free): (Monomial, Monomial) = monomial.iter().partition(|(letter, _)| letter.is_constant());
             let factor = Polynomial::from_terms([(fixed, number.clone())]);
-            let product = Value::build(term(constant.clone(), factor), Polynomial::one());
+            let product = Value::build(Terms::one(constant.clone(), factor), Polynomial::one());
             let sum = groups.entry((lettered.clone(), free)).or_insert(Value::ZERO);
             *sum = &*sum + &product;
         }
@@ -167,24 +172,19 @@ fn without_roots(terms: &Terms) -> Option<&[(Monomial, Fraction)]> {
 }
 
 /// The terms times a positive factor, each coefficient of restitution `e` written as `1/(1+x)`.
-fn without_units(terms: &Terms) -> Terms {
-    let mut terms = terms.clone();
-    let mut units: Vec<Letter> = terms.values().flat_map(Polynomial::letters).collect();
-    units.retain(|letter| letter.range() == Range::Unit);
-    units.sort();
-    units.dedup();
-    for unit in units {
-        let highest = terms.values().map(|p| p.degree(unit)).max().unwrap_or(0);
+fn without_units(terms: &Terms) -> Cow<'_, Terms> {
+    let monomials = terms.coefficients().flat_map(Polynomial::terms).flat_map(|(monomial, _)| monomial);
+    let units: BTreeSet<Letter> =
+        monomials.map(|(letter, _)| *letter).filter(|letter| letter.range() == Range::Unit).collect();
+    units.into_iter().fold(Cow::Borrowed(terms), |terms, unit| {
+        let highest = terms.coefficients().map(|p| p.degree(unit)).max().unwrap_or(0);
         let grown = &Polynomial::one() + &Polynomial::letter(unit);
-        for (_, coefficient) in terms.iter_mut() {
+        Cow::Owned(terms.with(|coefficient| {
             let powers = coefficient.coefficients(unit);
-            *coefficient = powers
-                .iter()
-                .enumerate()
-                .fold(Polynomial::zero(), |sum, (power, p)| &sum + &(p * &grown.power(highest - power as u32)));
-        }
-    }
-    terms
+            let shifted = powers.iter().enumerate().map(|(power, p)| p * &grown.power(highest - power as u32));
+            shifted.fold(Polynomial::zero(), |sum, p| &sum + &p)
+        }))
+    })
 }
 
 /// The sign of a value without letters.
@@ -225,7 +225,8 @@ fn constant_is_zero(value: &Value) -> bool {
     // Times a power of each cosine, so that only sines and cosines are left of the tangents.
     let mut angles = value.letters();
     angles.retain(Letter::is_constant);
-    let highest: Vec<u32> = angles.iter().map(|t| terms.values().map(|p| p.degree(*t)).max().unwrap_or(0)).collect();
+    let highest: Vec<u32> =
+        angles.iter().map(|t| terms.coefficients().map(|p| p.degree(*t)).max().unwrap_or(0)).collect();
     // Times these powers, angles that add up cancel; what does is nought, however long the product of its conjugates.
     if waves::vanishes(&terms, &angles, &highest) {
         return true;
@@ -259,7 +260,7 @@ fn separation(terms: &Terms, angles: &[Letter], highest: &[u32]) -> usize {
     let mut primes: Vec<u128> = Vec::new();
     let mut denominators = 0;
     let mut size = 0;
-    for (key, coefficient) in terms {
+    for (key, coefficient) in terms.iter() {
         let mut surd_bits = 0;
         for root in key {
             if let Root::Prime(prime) = root {

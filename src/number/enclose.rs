@@ -12,6 +12,7 @@ use smallvec::SmallVec;
 use super::decimal::{Decimal, Places};
 use super::polynomial::Polynomial;
 use super::rounding::{Uncertain, round, round_certified};
+use super::terms::Roots;
 use super::value::{Root, Value};
 use super::{FloatInterval, Fraction, Interval, Letter};
 
@@ -100,7 +101,7 @@ impl Value {
             Some(value)
         };
         let mut sum = E::of_fraction(&Fraction::ZERO, bits);
-        for (roots, coefficient) in terms {
+        for (roots, coefficient) in terms.iter() {
             let mut term = enclose_polynomial(coefficient, bits, &mut letter)?;
             for root in roots {
                 term = term * enclose_root(root, bits, at)?;
@@ -165,7 +166,7 @@ impl Value {
                     Root::Cosine(letter) => 1.0 / number(*letter).hypot(1.0),
                     Root::Nested { radicand, .. } => radicand.nearly(at).sqrt(),
                 };
-                let term = |(roots, coefficient): (&Vec<Root>, &Polynomial)| {
+                let term = |(roots, coefficient): (&Roots, &Polynomial)| {
                     polynomial(coefficient) * roots.iter().map(root).product::<f64>()
                 };
                 compound.terms.iter().map(term).sum::<f64>() / polynomial(&compound.denominator)

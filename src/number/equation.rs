@@ -8,7 +8,8 @@
 use std::collections::BTreeMap;
 
 use super::polynomial_roots::roots_of_factor;
-use super::value::{Terms, Value, term};
+use super::terms::{Roots, Terms};
+use super::value::Value;
 use super::{Letter, Polynomial, Root};
 
 /// Why a system was not solved.
@@ -78,9 +79,9 @@ fn numerator(value: &Value) -> Value {
 /// The coefficients of the powers 0, 1, 2, … of the unknown in a cleared equation.
 pub(super) fn coefficients(equation: &Value, unknown: Letter) -> Vec<Value> {
     let mut by_power: BTreeMap<usize, Terms> = BTreeMap::new();
-    for (roots, polynomial) in equation.numerator_terms() {
+    for (roots, polynomial) in equation.numerator_terms().iter() {
         for (power, coefficient) in polynomial.coefficients(unknown).into_iter().enumerate() {
-            by_power.entry(power).or_default().insert(roots.clone(), coefficient);
+            *by_power.entry(power).or_default().coefficient_mut(roots.clone()) = coefficient;
         }
     }
     let mut coefficients: Vec<Value> =
@@ -128,12 +129,12 @@ pub(super) fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, 
 /// the root of a discriminant they would only come back as factors that nothing cancels.
 fn without_common_roots(equation: &Value) -> Value {
     let (terms, denominator) = equation.parts();
-    let mut shared = terms.keys().next().cloned().unwrap_or_default();
-    shared.retain(|root| terms.keys().all(|key| key.contains(root)));
+    let mut shared = terms.products().next().cloned().unwrap_or_default();
+    shared.retain(|root| terms.products().all(|key| key.contains(root)));
     if shared.is_empty() {
         return equation.clone();
     }
-    let without = |(mut key, coefficient): (Vec<Root>, Polynomial)| {
+    let without = |(mut key, coefficient): (Roots, Polynomial)| {
         key.retain(|root| !shared.contains(root));
         (key, coefficient)
     };
@@ -158,7 +159,7 @@ impl Value {
         let mut sum = Value::ZERO;
         let below = Value::quotient(denominator.clone().into_owned(), Polynomial::one());
         let slope_below = Value::quotient(denominator.derivative(letter), Polynomial::one());
-        for (roots, coefficient) in &*terms {
+        for (roots, coefficient) in terms.iter() {
             let holds = |root: &Root| match root {
                 Root::Prime(_) => false,
                 Root::Cosine(tangent) => *tangent == letter,
@@ -167,8 +168,8 @@ impl Value {
             if roots.iter().any(holds) {
                 return None;
             }
-            let slope = Value::build(term(roots.clone(), coefficient.derivative(letter)), Polynomial::one());
-            let above = Value::build(term(roots.clone(), coefficient.clone()), Polynomial::one());
+            let slope = Value::build(Terms::one(roots.clone(), coefficient.derivative(letter)), Polynomial::one());
+            let above = Value::build(Terms::one(roots.clone(), coefficient.clone()), Polynomial::one());
             sum = &sum + &(&(&slope * &below) - &(&above * &slope_below));
         }
         sum.divided_by(&(&below * &below))

@@ -29,6 +29,7 @@ mod shared_factors;
 mod square;
 pub(crate) mod steps;
 mod supposed;
+mod terms;
 mod trigonometry;
 mod value;
 #[cfg(test)]
@@ -52,4 +53,5 @@ pub(crate) use rounding::clear_in_doubles;
 pub use rounding::{Uncertain, clear_of_tie, round, round_certified};
 #[doc(hidden)]
 pub use steps::taken as steps_taken;
+pub use terms::Roots;
 pub use value::{Compound, Root, Value};

@@ -5,7 +5,8 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::sync::Arc;
 
-use super::value::{Compound, Root, Terms, Value, integer, term};
+use super::terms::{Roots, Terms};
+use super::value::{Compound, Root, Value, integer};
 use super::{Fraction, Letter, Polynomial};
 
 impl Add for &Value {
@@ -34,31 +35,28 @@ fn times<'t>(terms: &'t Terms, factor: &Polynomial) -> Cow<'t, Terms> {
     if factor.is_one() {
         return Cow::Borrowed(terms);
     }
-    let mut terms = terms.clone();
-    terms.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * factor);
-    Cow::Owned(terms)
+    Cow::Owned(terms.with(|coefficient| coefficient * factor))
 }
 
 /// The coefficients of the same products of roots added. Both rows are sorted, so products are compared once, which
 /// counts where there is a root in a root.
 fn sum(left: &Terms, right: &Terms) -> Terms {
-    let mut sum = Vec::with_capacity(left.len() + right.len());
     let (mut left, mut right) = (left.iter().peekable(), right.iter().peekable());
-    loop {
+    Terms::from_sorted(std::iter::from_fn(|| {
         let order = match (left.peek(), right.peek()) {
             (Some((x, _)), Some((y, _))) => x.cmp(y),
             (Some(_), None) => Ordering::Less,
             (None, Some(_)) => Ordering::Greater,
-            (None, None) => return Terms::from_sorted_store_unchecked(sum),
+            (None, None) => return None,
         };
         let own = if order.is_le() { left.next() } else { None };
         let others = if order.is_ge() { right.next() } else { None };
-        sum.extend(match (own, others) {
+        match (own, others) {
             (Some((roots, p)), Some((_, q))) => Some((roots.clone(), p + q)),
             (Some((roots, p)), None) | (None, Some((roots, p))) => Some((roots.clone(), p.clone())),
             (None, None) => None,
-        });
-    }
+        }
+    }))
 }
 
 impl Mul for &Value {
@@ -71,8 +69,7 @@ impl Mul for &Value {
                 if number.is_zero() {
                     return Value::ZERO;
                 }
-                let scaled = compound.terms.iter().map(|(key, p)| (key.clone(), p.scaled(number))).collect();
-                let terms = Terms::from_sorted_store_unchecked(scaled);
+                let terms = compound.terms.with(|coefficient| coefficient.scaled(number));
                 let denominator = compound.denominator.clone();
                 return Value::Compound(Arc::new(Compound { terms, denominator }));
             }
@@ -83,14 +80,14 @@ impl Mul for &Value {
         }
         let ((left, a), (right, b)) = (self.parts(), other.parts());
         let denominator = &*a * &*b;
-        let mut terms = Terms::new();
+        let mut terms = Terms::default();
         // Where a root meets itself its square takes its place; squares that are not numbers are
         // themselves values, and join the sum at the end.
         let mut squared = Vec::new();
-        for (x, p) in &*left {
-            for (y, q) in &*right {
+        for (x, p) in left.iter() {
+            for (y, q) in right.iter() {
                 let mut coefficient = p * q;
-                let mut key = Vec::with_capacity(x.len() + y.len());
+                let mut key = Roots::with_capacity(x.len() + y.len());
                 let mut square = Value::ONE;
                 for root in x {
                     match (y.contains(root), root) {
@@ -102,10 +99,10 @@ impl Mul for &Value {
                 key.extend(y.iter().filter(|root| !x.contains(root)).cloned());
                 key.sort();
                 if square.as_fraction().is_some_and(Fraction::is_one) {
-                    let entry = terms.entry(key).or_default();
+                    let entry = terms.coefficient_mut(key);
                     *entry = &*entry + &coefficient;
                 } else {
-                    squared.push((Value::build(term(key, coefficient), denominator.clone()), square));
+                    squared.push((Value::build(Terms::one(key, coefficient), denominator.clone()), square));
                 }
             }
         }
@@ -117,7 +114,7 @@ impl Mul for &Value {
 /// The product of two surds: a root that meets itself comes out.
 fn product_of_surds((a, x): (&Fraction, &[Root]), (b, y): (&Fraction, &[Root])) -> Value {
     let mut number = a * b;
-    let mut roots: Vec<Root> = y.iter().filter(|root| !x.contains(root)).cloned().collect();
+    let mut roots: Roots = y.iter().filter(|root| !x.contains(root)).cloned().collect();
     for root in x {
         match root {
             Root::Prime(prime) if y.contains(root) => number = &number * &integer(*prime),
@@ -134,8 +131,7 @@ impl Neg for &Value {
         match self {
             Value::Rational(number) => Value::Rational(-number.clone()),
             Value::Compound(compound) => {
-                let terms = compound.terms.iter().map(|(key, p)| (key.clone(), -p)).collect();
-                let terms = Terms::from_sorted_store_unchecked(terms);
+                let terms = compound.terms.with(|coefficient| -coefficient);
                 Value::Compound(Arc::new(Compound { terms, denominator: compound.denominator.clone() }))
             }
         }
@@ -187,7 +183,7 @@ impl Value {
         };
         let (terms, denominator) = self.parts();
         let mut sum = Value::ZERO;
-        for (roots, coefficient) in &*terms {
+        for (roots, coefficient) in terms.iter() {
             let mut term = at(coefficient);
             for root in roots {
                 let factor = match root {

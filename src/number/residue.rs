@@ -39,7 +39,7 @@ fn of_value(value: &Value, roots: &[(&Root, u64)], trial: u64) -> Option<u64> {
     let (terms, denominator) = value.parts();
     let below = of_polynomial(&denominator, trial)?;
     let mut sum = 0;
-    for (product, coefficient) in &*terms {
+    for (product, coefficient) in terms.iter() {
         let mut term = of_polynomial(coefficient, trial)?;
         for root in product {
             let (_, image) = roots.iter().find(|(known, _)| *known == root)?;

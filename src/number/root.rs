@@ -9,7 +9,8 @@ use dashu_int::ops::{BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 
 use super::polynomial::Polynomial;
-use super::value::{Root, Terms, Value, integer};
+use super::terms::{Roots, Terms};
+use super::value::{Root, Value, integer};
 use super::{Fraction, Range, steps};
 
 /// Primes up to this are looked for in a radicand. What is left of a larger number is taken for a
@@ -49,18 +50,17 @@ impl Value {
         }
         let (terms, denominator) = self.parts();
         // √(f N / q) = √(f q) √N / q, where f is what all the coefficients share and N the rest.
-        let shared = terms.values().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
-        let content = terms.values().map(Polynomial::content).reduce(|a, b| a.common_measure(&b))?;
-        let mut rest = Terms::new();
+        let shared = terms.coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
+        let content = terms.coefficients().map(Polynomial::content).reduce(|a, b| a.common_measure(&b))?;
         let scale = content.reciprocal()?;
-        for (key, coefficient) in &*terms {
-            rest.insert(key.clone(), coefficient.divided_by(&shared)?.scaled(&scale));
-        }
+        let divided = |coefficient: &Polynomial| Some(coefficient.divided_by(&shared)?.scaled(&scale));
+        let rest = terms.iter().map(|(roots, coefficient)| Some((roots.clone(), divided(coefficient)?)));
+        let mut rest: Terms = rest.collect::<Option<_>>()?;
         let mut sign = Fraction::ONE;
-        if rest.len() == 1 && rest.contains_key(&Vec::new()) {
+        if let (1, Some(unit)) = (rest.len(), rest.get(&[])) {
             // The rest is plus or minus one; the polynomial takes it in.
-            sign = rest.values().next().and_then(Polynomial::as_constant)?;
-            rest.clear();
+            sign = unit.as_constant()?;
+            rest = Terms::default();
         }
         let (outside, inside) = squares_out((&shared * &*denominator).scaled(&content).scaled(&sign));
         let inside = if rest.is_empty() { inside } else { &inside * &Value::build(rest, Polynomial::one()) };
@@ -117,7 +117,7 @@ impl Value {
         if terms.len() != 2 || denominator.as_constant().is_none() {
             return None;
         }
-        let a = terms.get(&Vec::new())?.as_constant()?;
+        let a = terms.get(&[])?.as_constant()?;
         let (key, coefficient) = terms.iter().find(|(key, _)| !key.is_empty())?;
         let mut square = coefficient.as_constant()?;
         let negative = square.sign().is_lt();
@@ -150,7 +150,7 @@ fn root_of_fraction(number: &Fraction) -> Option<Value> {
         return None;
     }
     let (mut outside, mut inside) = (Fraction::ONE, Fraction::ONE);
-    let mut roots = Vec::new();
+    let mut roots = Roots::new();
     let mut take = |square: IBig, primes: Vec<u128>, rest: Option<IBig>, below: bool| {
         let factor = Fraction::from(square);
         outside = if below { &outside / &factor } else { &outside * &factor };

@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::value::{Root, Terms, Value};
+use super::terms::{Roots, Terms};
+use super::value::Value;
 use super::{Fraction, Polynomial, Range};
 
 impl Value {
@@ -51,9 +52,9 @@ fn without(a: &Value, b: &Value, signs: Signs) -> Option<(Value, Value)> {
     };
     let sign = turned(&both)?;
     let secants = secants(both);
-    above.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &left);
-    below.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &right);
-    let coefficients = || above.values().chain(below.values());
+    above.change(|coefficient| coefficient * &left);
+    below.change(|coefficient| coefficient * &right);
+    let coefficients = || above.coefficients().chain(below.coefficients());
     let factor = coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
     let (factor, turn) = match turned(&factor) {
         Some(turn) => (factor, turn),
@@ -100,8 +101,8 @@ fn secants(mut denominator: Polynomial) -> Polynomial {
 }
 
 /// The roots in every product of both sums.
-fn shared_roots(above: &Terms, below: &Terms) -> Vec<Root> {
-    let mut keys = above.keys().chain(below.keys());
+fn shared_roots(above: &Terms, below: &Terms) -> Roots {
+    let mut keys = above.products().chain(below.products());
     let mut shared = keys.next().cloned().unwrap_or_default();
     keys.for_each(|key| shared.retain(|root| key.contains(root)));
     shared

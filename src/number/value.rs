@@ -17,8 +17,9 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use litemap::LiteMap;
+use smallvec::smallvec;
 
+use super::terms::{Roots, Terms};
 use super::{Fraction, Letter, Polynomial};
 
 /// An exact real number, or an exact formula in letters.
@@ -44,16 +45,6 @@ pub struct Compound {
     pub(crate) terms: Terms,
     /// Primitive, never nought.
     pub(crate) denominator: Polynomial,
-}
-
-/// Products of roots with their coefficients, in one row: they are few, and copied more often than looked up.
-pub(crate) type Terms = LiteMap<Vec<Root>, Polynomial>;
-
-/// A product of roots with its coefficient.
-pub(crate) fn term(roots: Vec<Root>, coefficient: Polynomial) -> Terms {
-    let mut terms = Terms::with_capacity(1);
-    terms.insert(roots, coefficient);
-    terms
 }
 
 /// A positive square root of something simpler.
@@ -123,15 +114,15 @@ impl Value {
 
     /// A root.
     pub(crate) fn root(root: Root) -> Value {
-        Value::build(term(vec![root], Polynomial::one()), Polynomial::one())
+        Value::build(Terms::one(smallvec![root], Polynomial::one()), Polynomial::one())
     }
 
     /// A number that is not nought times different roots of primes, sorted: the normal form as it stands.
-    pub(super) fn surd(number: Fraction, roots: Vec<Root>) -> Value {
+    pub(super) fn surd(number: Fraction, roots: Roots) -> Value {
         if roots.is_empty() {
             return Value::Rational(number);
         }
-        let (terms, denominator) = (term(roots, Polynomial::constant(number)), Polynomial::one());
+        let (terms, denominator) = (Terms::one(roots, Polynomial::constant(number)), Polynomial::one());
         Value::Compound(Arc::new(Compound { terms, denominator }))
     }
 
@@ -152,30 +143,30 @@ impl Value {
     /// How many nested roots stand inside each other in it.
     pub(crate) fn depth(&self) -> u32 {
         let Value::Compound(compound) = self else { return 0 };
-        compound.terms.keys().flatten().map(Root::depth).max().unwrap_or(0)
+        compound.terms.products().flatten().map(Root::depth).max().unwrap_or(0)
     }
 
     /// The last of the nested roots in it, by which it is decided what it is.
     pub(super) fn last_nested(&self) -> Option<&Root> {
         let Value::Compound(compound) = self else { return None };
-        compound.terms.keys().flatten().filter(|root| root.depth() > 0).max()
+        compound.terms.products().flatten().filter(|root| root.depth() > 0).max()
     }
 
     /// A quotient of two polynomials, the second not nought.
     pub fn quotient(numerator: Polynomial, denominator: Polynomial) -> Value {
-        Value::build(term(Vec::new(), numerator), denominator)
+        Value::build(Terms::one(Roots::new(), numerator), denominator)
     }
 
     /// The normal form of terms over a denominator that is not nought.
-    pub(crate) fn build(mut terms: Terms, denominator: Polynomial) -> Value {
-        terms.retain(|_, coefficient| !coefficient.is_zero());
+    pub(crate) fn build(terms: Terms, denominator: Polynomial) -> Value {
+        let mut terms = terms.without_noughts();
         if terms.is_empty() {
             return Value::ZERO;
         }
         let mut denominator = denominator;
         if denominator.as_constant().is_none() {
             let mut shared = denominator.clone();
-            for coefficient in terms.values() {
+            for coefficient in terms.coefficients() {
                 shared = shared.greatest_common_divisor(coefficient);
                 if shared.is_one() {
                     break;
@@ -183,7 +174,7 @@ impl Value {
             }
             if !shared.is_one() {
                 let exact = |p: &Polynomial| p.divided_by(&shared).expect("a common divisor divides");
-                terms.iter_mut().for_each(|(_, coefficient)| *coefficient = exact(coefficient));
+                terms.change(exact);
                 denominator = exact(&denominator);
             }
         }
@@ -192,7 +183,7 @@ impl Value {
             if primitive != denominator {
                 let scale = denominator.divided_by(&primitive).and_then(|unit| unit.as_constant());
                 let inverse = scale.and_then(|unit| unit.reciprocal()).expect("a denominator is not nought");
-                terms.iter_mut().for_each(|(_, coefficient)| *coefficient = coefficient.scaled(&inverse));
+                terms.change(|coefficient| coefficient.scaled(&inverse));
             }
             denominator = primitive;
         }
@@ -209,7 +200,7 @@ impl Value {
         match self {
             Value::Rational(number) => {
                 let number = Polynomial::constant(number.clone());
-                (Cow::Owned(term(Vec::new(), number)), Cow::Owned(Polynomial::one()))
+                (Cow::Owned(Terms::one(Roots::new(), number)), Cow::Owned(Polynomial::one()))
             }
             Value::Compound(compound) => (Cow::Borrowed(&compound.terms), Cow::Borrowed(&compound.denominator)),
         }
@@ -227,7 +218,7 @@ impl Value {
     pub fn as_quotient(&self) -> Option<(Polynomial, Polynomial)> {
         let (terms, denominator) = self.parts();
         match terms.len() {
-            1 => Some((terms.get(&Vec::new())?.clone(), denominator.into_owned())),
+            1 => Some((terms.get(&[])?.clone(), denominator.into_owned())),
             0 => Some((Polynomial::zero(), denominator.into_owned())),
             _ => None,
         }
@@ -236,7 +227,7 @@ impl Value {
     /// The roots in it, simplest first; what stands inside nested roots is not listed.
     pub fn roots(&self) -> Vec<Root> {
         let Value::Compound(compound) = self else { return Vec::new() };
-        let mut roots: Vec<Root> = compound.terms.keys().flatten().cloned().collect();
+        let mut roots: Vec<Root> = compound.terms.products().flatten().cloned().collect();
         roots.sort();
         roots.dedup();
         roots
@@ -246,7 +237,7 @@ impl Value {
     pub fn letters(&self) -> Vec<Letter> {
         let Value::Compound(compound) = self else { return Vec::new() };
         let mut letters = compound.denominator.letters();
-        letters.extend(compound.terms.values().flat_map(Polynomial::letters));
+        letters.extend(compound.terms.coefficients().flat_map(Polynomial::letters));
         for root in self.roots() {
             match root {
                 Root::Prime(_) => {}
@@ -260,8 +251,8 @@ impl Value {
     }
 
     /// Each product of roots with the polynomial it is multiplied by, over [`Value::denominator`].
-    pub fn numerator_terms(&self) -> Vec<(Vec<Root>, Polynomial)> {
-        self.parts().0.into_owned().into_iter().collect()
+    pub(crate) fn numerator_terms(&self) -> Cow<'_, Terms> {
+        self.parts().0
     }
 
     /// The polynomial below, primitive.
@@ -274,7 +265,7 @@ impl Value {
         match self {
             Value::Rational(_) => 1,
             Value::Compound(compound) => {
-                let above: usize = compound.terms.values().map(|p| p.terms().len()).sum();
+                let above: usize = compound.terms.coefficients().map(|p| p.terms().len()).sum();
                 let without_nested = above + compound.denominator.terms().len();
                 if self.last_nested().is_none() {
                     return without_nested;
@@ -321,25 +312,19 @@ impl Value {
     /// `a` and `b` in `self = a + b root`.
     pub(crate) fn split(&self, root: &Root) -> (Value, Value) {
         let (terms, denominator) = self.parts();
-        let (mut without, mut with) = (Terms::new(), Terms::new());
-        for (mut key, coefficient) in terms.into_owned() {
-            match key.iter().position(|other| other == root) {
-                Some(position) => {
-                    key.remove(position);
-                    with.insert(key, coefficient);
-                }
-                None => {
-                    without.insert(key, coefficient);
-                }
-            }
-        }
-        (Value::build(without, denominator.clone().into_owned()), Value::build(with, denominator.into_owned()))
+        let (with, without): (Vec<_>, Vec<_>) = terms.iter().partition(|(roots, _)| roots.contains(root));
+        let built = |terms: Vec<(&Roots, &Polynomial)>| {
+            let rest = |roots: &Roots| roots.iter().filter(|other| *other != root).cloned().collect();
+            let terms = terms.into_iter().map(|(roots, coefficient)| (rest(roots), coefficient.clone()));
+            Value::build(terms.collect(), denominator.clone().into_owned())
+        };
+        (built(without), built(with))
     }
 
     /// The length of the longest number in it, in bits.
     pub(crate) fn longest_number(&self) -> usize {
         let Value::Compound(compound) = self else { return self.as_fraction().map_or(0, Fraction::length) };
-        let above = compound.terms.values();
+        let above = compound.terms.coefficients();
         let numbers = above.chain([&compound.denominator]).flat_map(|polynomial| polynomial.terms());
         numbers.map(|(_, number)| number.length()).max().unwrap_or_default()
     }

@@ -7,7 +7,8 @@
 
 use std::collections::BTreeMap;
 
-use super::value::{Root, Terms, Value};
+use super::terms::Terms;
+use super::value::{Root, Value};
 use super::{Direction, Fraction, Letter};
 
 /// Powers of sines and cosines beyond which a sum is not written out.
@@ -19,7 +20,7 @@ type Cosines = BTreeMap<Fraction, Fraction>;
 /// Is it nought as a sum of cosines, times the `highest` powers of the cosines of its `angles`? If not, it may still be nought.
 pub(super) fn vanishes(terms: &Terms, angles: &[Letter], highest: &[u32]) -> bool {
     let mut sum = Value::ZERO;
-    for (roots, polynomial) in terms {
+    for (roots, polynomial) in terms.iter() {
         let (mut surds, mut halves) = (Value::ONE, Vec::new());
         for root in roots {
             match root {

@@ -28,10 +28,10 @@ impl<'k, N: Number> Here<'k, N> {
         Here { known: self.known, meeting: self.meeting, instead }
     }
 
-    #[inline]
+    #[inline(always)] // a law names its quantities: where they stand is known before the program runs
     fn datum(&self, quantity: Quantity) -> Option<&'k Datum<N>> {
         if self.meeting.number == 0 {
-            return self.known.0.get(&quantity);
+            return self.known.0.at(quantity.place());
         }
         self.known.0.get(&self.meeting.quantity(quantity))
     }
@@ -42,15 +42,18 @@ impl<'k, N: Number> Here<'k, N> {
     }
 
     /// A quantity that is a number.
-    #[inline]
+    #[inline(always)]
     pub fn number(&self, quantity: Quantity) -> Option<N> {
-        if let Some((_, number)) = self.instead.iter().find(|(other, _)| *other == quantity) {
+        if !self.instead.is_empty()
+            && let Some((_, number)) = self.instead.iter().find(|(other, _)| *other == quantity)
+        {
             return Some(number.clone());
         }
         self.datum(quantity)?.number()
     }
 
     /// Several quantities that are numbers.
+    #[inline(always)]
     pub fn numbers<const COUNT: usize>(&self, quantities: [Quantity; COUNT]) -> Option<[N; COUNT]> {
         all(quantities.map(|quantity| self.number(quantity)))
     }

@@ -18,7 +18,7 @@ use crate::method::elements::{Coefficients, coefficients};
 use crate::method::needs::geometry_of;
 use crate::method::proportion::proportion;
 use crate::method::{Found, Geometry, Impact, Method, Prepared, Promise, Role, Skip};
-use crate::number::{Fraction, Letter, Monomial, Polynomial, Root, Value};
+use crate::number::{Fraction, Letter, Monomial, Polynomial, Roots, Value};
 use std::collections::BTreeMap;
 
 use super::matrix::gcd;
@@ -90,7 +90,7 @@ impl Packed {
 enum Symbol {
     Letter(Letter),
     /// A product of roots, taken as a whole.
-    Thing(Vec<Root>),
+    Thing(Roots),
 }
 
 /// The symbols of an impact, in the order in which they were met.
@@ -107,10 +107,10 @@ impl Symbols {
         (place < SYMBOLS).then_some(place)
     }
 
-    fn monomial(&mut self, roots: &[Root], letters: &Monomial) -> Option<u64> {
+    fn monomial(&mut self, roots: &Roots, letters: &Monomial) -> Option<u64> {
         let mut packed = 0;
         if !roots.is_empty() {
-            packed += 1 << (8 * self.place(Symbol::Thing(roots.to_vec()))?);
+            packed += 1 << (8 * self.place(Symbol::Thing(roots.clone()))?);
         }
         for (letter, exponent) in letters {
             let place = self.place(Symbol::Letter(*letter))?;
@@ -137,8 +137,8 @@ impl Symbols {
         Some((all, below))
     }
 
-    fn exponents(&self, monomial: u64) -> (Vec<Root>, Monomial) {
-        let (mut roots, mut letters) = (Vec::new(), Monomial::new());
+    fn exponents(&self, monomial: u64) -> (Roots, Monomial) {
+        let (mut roots, mut letters) = (Roots::new(), Monomial::new());
         for (place, symbol) in self.0.iter().enumerate() {
             let exponent = (monomial >> (8 * place) & 0xff) as u32;
             match symbol {
@@ -153,7 +153,7 @@ impl Symbols {
 
     /// The value of a quotient, in lowest terms.
     fn value(&self, above: &Packed, below: &Packed, and_below: i64) -> Value {
-        let mut terms: BTreeMap<Vec<Root>, Vec<(Monomial, Fraction)>> = BTreeMap::new();
+        let mut terms: BTreeMap<Roots, Vec<(Monomial, Fraction)>> = BTreeMap::new();
         for (monomial, coefficient) in above.terms() {
             let (roots, letters) = self.exponents(*monomial);
             terms.entry(roots).or_default().push((letters, Fraction::from(*coefficient)));
@@ -168,7 +168,7 @@ impl Symbols {
 }
 
 fn parts(polynomial: &Polynomial) -> Coefficients {
-    polynomial.terms().iter().map(|(letters, number)| ((Vec::new(), letters.clone()), number.clone())).collect()
+    polynomial.terms().iter().map(|(letters, number)| ((Roots::new(), letters.clone()), number.clone())).collect()
 }
 
 /// Polynomials in the ratio of two values; `None` if it has a root.

@@ -12,8 +12,8 @@ pub(in crate::method) struct SurdIntegers;
 /// 1, √2, √3 and √6.
 pub(super) fn field() -> Vec<Element> {
     let [two, three] = [Root::Prime(2), Root::Prime(3)];
-    let roots = [vec![], vec![two.clone()], vec![three.clone()], vec![two, three]];
-    roots.into_iter().map(|roots| (roots, Vec::new())).collect()
+    let roots = [&[][..], &[two.clone()], &[three.clone()], &[two, three]];
+    roots.into_iter().map(|roots| (roots.into(), Vec::new())).collect()
 }
 
 /// The four, whatever the impact.
