@@ -121,6 +121,8 @@ fn from_another_line(
     let finding = compare(model, stated, right, radians);
     let is_supplement = || right.from(180).is_some_and(|turn| compare(model, stated, &turn, radians).is_credited());
     match named {
+        // The acute angle of what points against i is that with -i.
+        Some(ReferenceLine::MinusI) if finding.is_credited() && model.against_i == Some(true) => finding,
         Some(ReferenceLine::MinusI) if finding.is_credited() || is_supplement() => {
             Finding::unreadable(Note::ReferenceUnchecked)
         }

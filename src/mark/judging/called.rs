@@ -99,7 +99,9 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
             is_sort() || (spheres.1.is_some() && letter.starts_with(['v', 'V']))
         }
         Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => {
-            has(&["lost", "loss", "loses", "change", "decrease"]) || label.typed.contains(['Δ', '∆'])
+            has(&["lost", "loss", "loses", "change", "decrease"])
+                || label.typed.contains(['Δ', '∆'])
+                || (letter == "L" && is_own_letter())
         }
         Quantity::SphereEnergyGained(_) => {
             has(&["gain", "gains", "gained", "change", "increase"]) || label.typed.contains(['Δ', '∆'])

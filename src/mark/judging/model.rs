@@ -41,6 +41,8 @@ pub struct Model {
     pub meet_again: Option<bool>,
     /// Does an angle that is asked turn anticlockwise, from **i** or from the path before?
     pub anticlockwise: Option<bool>,
+    /// Does an impulse of which the angle with **i** is asked point against **i**? Known only where one body alone receives it.
+    pub against_i: Option<bool>,
     /// The spheres that take no part in the impact of which a quantity is asked: nothing of it is named after them.
     pub strangers: Vec<Sphere>,
     /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
@@ -73,6 +75,7 @@ impl Model {
             pushes_back: None,
             meet_again: None,
             anticlockwise: None,
+            against_i: None,
             strangers: Vec::new(),
             path: None,
             vector: None,

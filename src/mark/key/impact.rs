@@ -6,13 +6,13 @@ use std::cmp::Ordering;
 
 use super::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::bank::{EarnedFor, Find};
-use crate::expr::{Expr, Meaning, evaluate};
+use crate::expr::{Expr, Meaning, Turn, evaluate};
 use crate::mark::working::{Misread, Theirs};
 use crate::mechanics::{
-    Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then, Velocity, pose,
+    Axis, Datum, Derivation, Given, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then, Velocity, pose,
     with_letter_of_restitution,
 };
-use crate::number::Value;
+use crate::number::{Angle, Range, Value};
 
 impl KeyedQuestion {
     /// Who meets in a later impact.
@@ -121,6 +121,28 @@ impl KeyedQuestion {
         Some(self.of_scene(scene, given, self.parts_unstated()))
     }
 
+    /// The question as it is for who has set these letters of it equal to one: `let u = 1, m = 1`.
+    pub(in crate::mark) fn scaled(&self, letters: &[String]) -> Option<KeyedQuestion> {
+        let mut scene = self.scene.clone();
+        let one = |name: &str| letters.iter().any(|letter| letter == name).then(|| Expr::integer(1));
+        let mut given: Vec<&mut Given> = scene.masses.iter_mut().flatten().collect();
+        for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
+            match velocity {
+                Velocity::Components(x, y) => given.extend([x, y]),
+                Velocity::Polar { speed, .. } => given.push(speed),
+            }
+        }
+        for given in given.into_iter().filter(|given| given.shown.names().iter().any(|name| one(&name.text).is_some()))
+        {
+            let shown = given.shown.substitute(&one);
+            *given = Given { value: self.exact(&shown)?, shown };
+        }
+        let given = pose(&scene).ok().filter(|given| *given != self.given)?;
+        let mut parts = self.parts_unstated();
+        parts.iter_mut().for_each(|part| part.known = given.clone());
+        Some(self.of_scene(scene, given, parts))
+    }
+
     /// The parts, with nothing of what was worked out for the right values.
     pub(super) fn parts_unstated(&self) -> Vec<KeyedPart> {
         let of_mark = |mark: &KeyedMark| KeyedMark { stated: Default::default(), ..mark.clone() };
@@ -180,7 +202,11 @@ impl KeyedQuestion {
     pub(in crate::mark) fn exact(&self, written: &Expr) -> Option<Value> {
         let letter = |name: &str| {
             let letter = self.letters.iter().find(|letter| letter.name() == name)?;
-            Some(Meaning::Number(Value::letter(*letter)))
+            match letter.range() {
+                // An acute angle is known by its tangent.
+                Range::Acute => Some(Meaning::Angle(Turn::of(Angle::of(&Value::letter(*letter), &Value::ONE)?))),
+                _ => Some(Meaning::Number(Value::letter(*letter))),
+            }
         };
         match evaluate(written, &letter).ok()? {
             Meaning::Number(value) => Some(value),

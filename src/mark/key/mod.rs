@@ -48,7 +48,7 @@ pub struct KeyedQuestion {
     /// The letters of the question.
     pub letters: Vec<Letter>,
     /// Those of them in which something is given; a student may use the others for what is to be found.
-    pub(super) given_letters: Vec<Letter>,
+    pub(in crate::mark) given_letters: Vec<Letter>,
     /// Its parts.
     pub parts: Vec<KeyedPart>,
     /// The decimals that stand in it: in working they are exact.

@@ -19,6 +19,7 @@ pub(super) fn tell(model: &mut Model, name: &str, find: &Find, scene: &Scene, kn
     model.pushes_back = pushes_back(name, find, scene);
     model.meet_again = meet_again(find, scene);
     model.anticlockwise = anticlockwise(find, known);
+    model.against_i = against_i(find, known, scene);
     model.vector = vector(find, known);
     model.strangers = strangers(find, scene);
     // A wall has no share in it.
@@ -127,6 +128,13 @@ fn anticlockwise(find: &Find, known: &Known<Value>) -> Option<bool> {
         _ => return None,
     };
     upwards.sign().filter(|sign| sign.is_ne()).map(Ordering::is_gt)
+}
+
+/// Does the impulse on a body that is alone point against **i**?
+fn against_i(find: &Find, known: &Known<Value>, scene: &Scene) -> Option<bool> {
+    let Find::Quantity(quantity @ Quantity::ImpulseAngle) = find else { return None };
+    let along = known.number(Quantity::Impulse(Sphere::A, Axis::X).in_impact(quantity.impact())?)?;
+    along.sign().filter(|sign| sign.is_ne() && scene.setting.is_of_one()).map(Ordering::is_lt)
 }
 
 /// The vector in **i** and **j** of which the size is asked.

@@ -126,6 +126,7 @@ pub(super) fn contradicts(shown: &Award) -> bool {
         "coalesce",
         "e-misread",
         "number-misread",
+        "brackets-lost",
         "inequality-reversed",
         "energy-square-of-difference",
         "energy-components-added",

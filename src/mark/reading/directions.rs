@@ -14,7 +14,7 @@ const FEW_WORDS: usize = 12;
 
 /// A noun that names a line.
 #[derive(Clone, Copy, PartialEq)]
-enum Line {
+pub(super) enum Line {
     Centres,
     Tangent,
     /// `AB`
@@ -243,7 +243,7 @@ impl Walk<'_> {
     }
 
     /// A line by its own name.
-    fn plain_line(&self, at: usize) -> Option<(Line, usize)> {
+    pub(super) fn plain_line(&self, at: usize) -> Option<(Line, usize)> {
         let known = [
             (Line::Ab, &["ab"][..]),
             (Line::AToB, &wording::A_TO_B),
@@ -289,41 +289,6 @@ impl Walk<'_> {
             let typed = self.typed(at);
             lexicon::is_sphere(typed) && placed.end - placed.start > typed.len()
         })
-    }
-
-    /// A unit vector that stands alone, not as the first term of a vector.
-    fn unit_vector(&self, at: usize) -> Option<Line> {
-        let more = self.tokens.get(at + 1).is_some_and(|next| matches!(next.token, Token::Sign('+' | '-' | '/' | '*')));
-        match self.tokens.get(at).map(|placed| &placed.token) {
-            Some(Token::Word(word)) if self.vocabulary.vectors && !more => match word.as_str() {
-                "i" => Some(Line::I),
-                "j" => Some(Line::J),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// `the direction of the unit vector` before its name: the token after it.
-    fn of_a_vector(&self, at: usize) -> usize {
-        let at = self.any(self.article(at), &["direction of"]).unwrap_or(at);
-        self.any(self.article(at), &["vector", "unit vector"]).unwrap_or(self.article(at))
-    }
-
-    /// `the vector i`, `the direction of i`, `+i`, `the positive x-axis`
-    fn axis(&self, at: usize) -> Option<(Line, usize)> {
-        let at = self.of_a_vector(at);
-        let is_positive = self.tokens.get(at).is_some_and(|token| token.is('+')) || self.word(at) == Some("positive");
-        let (line, end) = self.plain_line(at + usize::from(is_positive))?;
-        matches!(line, Line::I | Line::J).then_some((line, end))
-    }
-
-    /// `-i`, `the negative i direction`: the token after it.
-    fn minus_i(&self, at: usize) -> Option<usize> {
-        let at = self.of_a_vector(at);
-        let turned = self.tokens.get(at).is_some_and(|token| token.is('-')) || self.word(at) == Some("negative");
-        let (line, end) = self.plain_line(at + 1).filter(|_| turned)?;
-        (line == Line::I).then(|| self.any(end, &["axis"]).unwrap_or(end))
     }
 
     /// Does a formula begin here?

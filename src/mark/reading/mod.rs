@@ -8,6 +8,7 @@ mod alone;
 mod angle_names;
 mod around;
 mod asides;
+mod axes;
 mod both_signs;
 mod centres;
 mod characters;

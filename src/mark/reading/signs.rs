@@ -157,7 +157,8 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
         }
         // `3-to-4`, `the x-axis`
         let is_hyphen = |at: usize| is_sign(at, '-') && !tokens[at].spaced;
-        if is_hyphen(at) && is(at + 1, "axis") {
+        let is_of_unit = at > 0 && ["i", "j", "x", "y"].iter().any(|unit| is(at - 1, unit));
+        if is_hyphen(at) && (is(at + 1, "axis") || is_of_unit && is(at + 1, "direction")) {
             at += 1;
             continue;
         }

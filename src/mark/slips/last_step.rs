@@ -55,6 +55,11 @@ pub(super) const AXIS_ASSUMED: LastStep = LastStep {
     did: "took a wall that slants to be parallel to i or j",
     sentence: "The wall is parallel to neither i nor j: resolve the velocity along the wall and perpendicular to it first.",
 };
+pub(super) const NOTHING_TURNED_BACK: LastStep = LastStep {
+    tag: "not-turned-back",
+    did: "multiplied the component along a wall by e, and let the one perpendicular to it stay",
+    sentence: "A wall turns back the component perpendicular to it, times e; the one along the wall is unchanged.",
+};
 pub(super) const ENERGY_AT_ONE_MOMENT: LastStep = LastStep {
     tag: "energy-not-lost",
     did: "gave the energy before or after the impact for the loss",
@@ -72,7 +77,7 @@ pub(in crate::mark) const ANOTHER_ANSWER: LastStep = LastStep {
 };
 
 /// All of them: first what is right but for its form, then what is something else.
-pub(super) const ALL: [LastStep; 12] = [
+pub(super) const ALL: [LastStep; 13] = [
     SIGN,
     FACTOR_OF_TEN,
     RADIANS,
@@ -81,6 +86,7 @@ pub(super) const ALL: [LastStep; 12] = [
     BEFORE_FOR_AFTER,
     NOT_RECOMBINED,
     AXIS_ASSUMED,
+    NOTHING_TURNED_BACK,
     ONE_SIGN,
     ENERGY_AT_ONE_MOMENT,
     LOSS_FOR_FRACTION,

@@ -1,6 +1,6 @@
 //! What the last line can make of a vector: components of other directions, and one of them with the other sign.
 
-use super::last_step::{AXIS_ASSUMED, LastStep, NOT_RECOMBINED, ONE_SIGN};
+use super::last_step::{AXIS_ASSUMED, LastStep, NOT_RECOMBINED, NOTHING_TURNED_BACK, ONE_SIGN};
 use super::sample::Sample;
 use super::table::Values;
 use crate::mechanics::{Axis, Known, Moment, Quantity, Sphere};
@@ -23,7 +23,14 @@ pub(super) fn vector_steps(asked: &[Quantity], truth: &Values, known: &Known<Sam
                 }
             }
         }
-        let e = number(Quantity::Restitution).filter(|_| is_slanting && is_at_wall(known, *x));
+        let e = number(Quantity::Restitution).filter(|_| is_at_wall(known, *x));
+        let line = [Axis::X, Axis::Y].map(|axis| number(Quantity::Line(axis)));
+        if let (Some(e), [Some(x), Some(y)], Some(n), Some(t)) =
+            (e, line, velocity(Moment::Before, Axis::N), velocity(Moment::Before, Axis::T))
+        {
+            found.push((vec![x * n - y * (e * t), y * n + x * (e * t)], NOTHING_TURNED_BACK));
+        }
+        let e = e.filter(|_| is_slanting);
         if let (Some(e), Some(i), Some(j)) = (e, velocity(Moment::Before, Axis::X), velocity(Moment::Before, Axis::Y)) {
             found.push((vec![i, turned(&(e * j))], AXIS_ASSUMED));
             found.push((vec![turned(&(e * i)), j], AXIS_ASSUMED));

@@ -21,6 +21,7 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
         let mut all = examine_one(question, part, working, before, &[]);
         all.follow_laws(question, part, working, before);
         all.follow_misread(question, part, working, before);
+        all.follow_scale(question, part, working, before);
         return all;
     }
     let mut impacts = part.impacts();

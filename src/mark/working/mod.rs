@@ -18,6 +18,7 @@ mod lines;
 mod names;
 mod numbers;
 mod prepared;
+mod scaled;
 mod theirs;
 
 pub(super) use elsewhere::Elsewhere;

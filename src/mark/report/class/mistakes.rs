@@ -47,10 +47,11 @@ const ACCURACY: [(&str, &str); 8] = [
 ];
 
 /// What lines of working show and answers do not.
-const OF_WORKING: [(&str, &str); 9] = [
+const OF_WORKING: [(&str, &str); 10] = [
     ("sign-error", "wrote a wrong sign in an equation"),
     ("e-misread", "took another e than the one that is given"),
     ("number-misread", "copied a number of the question wrongly"),
+    ("brackets-lost", "did not multiply a factor into all of its bracket"),
     ("weights-for-masses", "took weights for the masses"),
     ("term-missing", "left a term out of an equation"),
     ("mass-missing", "left a mass out of one term"),

@@ -32,7 +32,7 @@ pub(super) fn is_same([x, y]: [f64; 2], [own_x, own_y]: [f64; 2]) -> bool {
 }
 
 /// Each way to put a pair of brackets about a part of a sum, in which a factor, a minus sign or a quotient then takes in more.
-pub(super) fn bracketed(formula: &Expr) -> Vec<Expr> {
+pub(in crate::mark::working) fn bracketed(formula: &Expr) -> Vec<Expr> {
     let mut found = match formula {
         Expr::Sum(terms) => of_sum(terms),
         _ => Vec::new(),

@@ -7,6 +7,7 @@ mod by_laws;
 mod by_line;
 
 pub(crate) use at_the_end::End;
+pub(super) use brackets::bracketed;
 
 use crate::expr::{Expr, Function};
 use crate::mark::working::examine::Value;

@@ -1,5 +1,6 @@
 //! The choice of letters and directions that makes a student's lines agree best.
 
+use super::brackets_lost::with_brackets_lost;
 use super::conventions::{Convention, conventions};
 use super::critical::noughts;
 use super::departure::Departure;
@@ -7,7 +8,7 @@ use super::misread::{Misread, with_number_misread};
 use super::offered::{Offered, differences};
 use super::pair::{Laws, Matched};
 use super::substituted::{apart, impulse_in, put_back, without_impulse};
-use super::told_apart::{Found, told_apart, weight, without_one_for_both};
+use super::told_apart::{Found, told_apart, weight, weight_of_stated, without_one_for_both};
 use super::two_lines;
 use super::unusual::of_velocities;
 use crate::expr::Expr;
@@ -24,13 +25,21 @@ struct Substituted {
     whole: Offered,
     bracket: Offered,
     is_stated: bool,
+    /// Is it put back as if a factor had not been multiplied into all of what was said?
+    is_lost: bool,
 }
 
 impl Substituted {
     /// One law is the bracket, and the other is all the rest.
     fn matched(&self, laws: &Laws, convention: &Convention) -> Vec<Matched> {
         let mut whole = self.whole.matched(laws, convention).into_iter();
-        let Some(whole) = whole.find(Matched::is_method) else { return Vec::new() };
+        let Some(mut whole) = whole.find(Matched::is_method) else { return Vec::new() };
+        if self.is_lost {
+            if !whole.departures.is_empty() {
+                return Vec::new();
+            }
+            whole.departures.push(Departure::BracketsLost);
+        }
         let mut bracket = self.bracket.matched(laws, convention).into_iter();
         match bracket.find(|bracket| bracket.equation != whole.equation) {
             None if !self.is_stated => Vec::new(),
@@ -87,7 +96,7 @@ pub(in crate::mark::working) fn take_as_laws(lines: &mut [Studied], prepared: &P
             continue;
         }
         let is_unusual = convention.is_unusual || is_against_axes(&convention, prepared);
-        let is_shown = short == 0 || parts_the_spheres(&convention, &found);
+        let is_shown = weight_of_stated(&found) == 0 || parts_the_spheres(&convention, &found);
         let is_doubtful = convention.is_unusual && (prepared.has_equal_masses() || !is_shown);
         let of_letters = if is_doubtful { EXCHANGED } else { 0 };
         let weight = short + u32::from(is_unusual) + of_letters + disagreement(lines, &convention, prepared);
@@ -113,7 +122,9 @@ pub(in crate::mark::working) fn take_as_laws(lines: &mut [Studied], prepared: &P
         let studied = &mut lines[*place];
         // Of two mistakes in one line and one number that is copied wrongly, that is likelier.
         let is_unlikely = studied.matched.iter().all(|one| !one.is_method() && one.departures.len() > 1);
-        if is_unlikely && let Some((law, misread)) = with_number_misread(equation, laws, &convention, prepared) {
+        if is_unlikely && let Some(law) = with_brackets_lost(equation, laws, &convention, prepared) {
+            (studied.reading, studied.matched) = (Some(studied.line.readings[*which].clone()), vec![law]);
+        } else if is_unlikely && let Some((law, misread)) = with_number_misread(equation, laws, &convention, prepared) {
             studied.misread = misread;
             (studied.reading, studied.matched) = (Some(studied.line.readings[*which].clone()), vec![law]);
         }
@@ -231,7 +242,7 @@ fn substituted(
                     .filter(|offered| offered.linear[0].unknowns.len() == 2 && offered.is_of_velocities())
             });
             if let [Some(whole), Some(bracket)] = both {
-                found.push(Substituted { whole, bracket, is_stated });
+                found.push(Substituted { whole, bracket, is_stated, is_lost: false });
             }
         }
     }
@@ -275,12 +286,16 @@ fn multiplied_out(
     let Some(terms) = all.iter().map(linear).collect::<Option<Vec<_>>>() else { return Vec::new() };
     let put = said.into_iter().flat_map(|said| {
         let solved = differences(said, prepared).and_then(|both| solved_for(both, other));
-        let back = solved.map(|said| put_back(&terms, &said, letter, other)).unwrap_or_default();
-        back.into_iter().filter_map(move |linear| {
+        let back = |lost: Option<f64>| {
+            let all = solved.as_ref().map(|said| put_back(&terms, said, [letter, other], lost)).unwrap_or_default();
+            all.into_iter().map(move |linear| (linear, lost.is_some()))
+        };
+        let ways = [None, Some(1.0), Some(-1.0)].map(back);
+        ways.into_iter().flatten().filter_map(move |(linear, is_lost)| {
             let bracket = Offered::of(place, which, said, prepared)?;
             let whole = bracket.with(linear);
             let is_open = whole.is_of_velocities() && whole.linear[0].unknowns.len() == 2;
-            is_open.then_some(Substituted { whole, bracket, is_stated: true })
+            is_open.then_some(Substituted { whole, bracket, is_stated: true, is_lost })
         })
     });
     put.collect()

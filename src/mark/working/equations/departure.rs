@@ -9,6 +9,7 @@ pub(in crate::mark::working) enum Departure {
     LetterMissing,
     AnotherRestitution,
     NumberMisread,
+    BracketsLost,
     Unresolved,
     TermMissing,
     MassesExchanged,
@@ -29,7 +30,13 @@ impl Departure {
         use Departure::*;
         matches!(
             self,
-            Sign | SineForCosine | Inaccurate | LetterMissing | AnotherRestitution | NumberMisread | WeightsForMasses
+            Sign | SineForCosine
+                | Inaccurate
+                | LetterMissing
+                | AnotherRestitution
+                | NumberMisread
+                | BracketsLost
+                | WeightsForMasses
         )
     }
 
@@ -41,6 +48,7 @@ impl Departure {
             Departure::LetterMissing => "letter-missing",
             Departure::AnotherRestitution => "e-misread",
             Departure::NumberMisread => "number-misread",
+            Departure::BracketsLost => "brackets-lost",
             Departure::Unresolved => "not-resolved",
             Departure::TermMissing => "term-missing",
             Departure::MassesExchanged => "masses-swapped",
@@ -67,6 +75,7 @@ impl Departure {
             Departure::LetterMissing => "a letter of the question is left out of every term",
             Departure::AnotherRestitution => "e is not the one that is given",
             Departure::NumberMisread => "a number of the question is copied wrongly",
+            Departure::BracketsLost => "a factor or a sign is not multiplied into all of its bracket",
             Departure::Unresolved => "a speed is not resolved along the line of centres",
             Departure::TermMissing => "a term is missing",
             Departure::MassesExchanged => "the masses are exchanged",
@@ -85,7 +94,7 @@ impl Departure {
     /// How unlikely it is to be meant.
     pub(in crate::mark::working) fn weight(self) -> u32 {
         match self {
-            Departure::Inaccurate => 1,
+            Departure::Inaccurate | Departure::BracketsLost => 1,
             Departure::Sign | Departure::SineForCosine | Departure::WrongAxis => 2,
             Departure::AnotherRestitution | Departure::NumberMisread => 3,
             Departure::TermMissing | Departure::MassMissing => 5,
@@ -108,6 +117,7 @@ mod tests {
             LetterMissing,
             AnotherRestitution,
             NumberMisread,
+            BracketsLost,
             Unresolved,
             TermMissing,
             MassesExchanged,

@@ -4,6 +4,7 @@ mod added_up;
 mod agreement;
 mod another_e;
 mod apiece;
+mod brackets_lost;
 mod changed;
 mod convention;
 mod conventions;

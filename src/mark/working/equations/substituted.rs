@@ -44,8 +44,14 @@ fn with_name(expr: &Expr, bracket: &Expr, name: &str) -> Expr {
 }
 
 /// An equation in one unknown, brackets multiplied out, with the other put back for what was said of it, at every point:
-/// once for each term in the unknown that may have come of the bracket. `terms` are all on one side.
-pub(super) fn put_back(terms: &[Vec<Linear>], said: &[Linear], letter: &str, other: &str) -> Vec<Vec<Linear>> {
+/// once for each term in the unknown that may have come of the bracket. `terms` are all on one side. If brackets were
+/// lost, the factor stands before the unknown alone, and 1 or -1 before the rest: `3v + 3` came of `3(v + 3)`.
+pub(super) fn put_back(
+    terms: &[Vec<Linear>],
+    said: &[Linear],
+    [letter, other]: [&str; 2],
+    lost: Option<f64>,
+) -> Vec<Vec<Linear>> {
     let is_of_letter =
         |term: &&Vec<Linear>| term.iter().all(|at| !at.is_number() && at.constant == Spread::exactly(0.0));
     let of_letter: Vec<&Vec<Linear>> = terms.iter().filter(is_of_letter).collect();
@@ -59,7 +65,10 @@ pub(super) fn put_back(terms: &[Vec<Linear>], said: &[Linear], letter: &str, oth
         let at = |(point, said): (usize, &Linear)| {
             let times = term[point].before(letter).over(said.before(letter))?;
             let back = Linear::unknown(other).times(times);
-            Some(whole(point).plus(&said.clone().times(-times)).plus(&back))
+            let factor_of_rest = lost.map_or(-times, Spread::exactly);
+            let rest = Linear::number(said.constant * factor_of_rest);
+            let unknown = Linear::unknown(letter).times(-(times * said.before(letter)));
+            Some(whole(point).plus(&unknown).plus(&rest).plus(&back))
         };
         said.iter().enumerate().map(at).collect::<Option<Vec<Linear>>>()
     };

@@ -81,6 +81,14 @@ pub(in crate::mark::working) fn weight(found: &[Found]) -> u32 {
     best(found).0
 }
 
+/// The same of the lines that are one law alone, where both laws have such: what comes of putting one into the other may come
+/// out right of wrong letters too.
+pub(in crate::mark::working) fn weight_of_stated(found: &[Found]) -> u32 {
+    let stated: Vec<Found> = found.iter().filter(|one| one.alone.is_some()).cloned().collect();
+    let has = |law| stated.iter().any(|one| one.matched.equation == law);
+    if BOTH.into_iter().all(has) { weight(&stated) } else { weight(found) }
+}
+
 /// The equations that are the two laws with the least change, and what that is.
 fn best(found: &[Found]) -> (u32, [Option<usize>; 2]) {
     let [momentum, restitution] = BOTH.map(|equation| {

@@ -117,10 +117,10 @@ impl Working<'_> {
         else {
             return false;
         };
-        let is_value = |said: &Said| matches!(said.form, Form::Value(_));
-        let has_unknown = |label: &Label| {
-            label.expr.as_ref().is_some_and(|label| label.names().iter().any(|name| self.is_unknown(&name.text)))
-        };
+        let is_open = |expr: &Expr| expr.names().iter().any(|name| self.is_unknown(&name.text));
+        // `-u = v + w` is no list of values.
+        let is_value = |said: &Said| matches!(&said.form, Form::Value(expr) if !is_open(expr));
+        let has_unknown = |label: &Label| label.expr.as_ref().is_some_and(is_open);
         statement.said.iter().all(is_value) && !statement.label.as_ref().is_some_and(has_unknown)
     }
 

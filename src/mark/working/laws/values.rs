@@ -305,6 +305,10 @@ impl Working<'_> {
 
 /// Does a label speak of what is lost?
 pub(super) fn names_loss(label: &str) -> bool {
+    // As the model solution has it.
+    if label == "L" {
+        return true;
+    }
     let label = label.to_lowercase();
     label.contains(['δ', '∆']) || ["los", "change", "decrease"].iter().any(|word| label.contains(word))
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::all_over::all_over;
 use super::candidates::candidates;
-use super::decimal_commas::{has_decimal_commas, with_points};
+use super::decimal_commas::{has_decimal_commas, is_perhaps_a_decimal, with_points};
 use super::explained::explained;
 use super::labels::without_label;
 use super::products::{Products, factors_of_functions, has_letters};
@@ -135,7 +135,9 @@ pub(in crate::mark::working) fn read(
     let read = |(place, typed): (usize, &str)| {
         let pointed = if has_commas { with_points(typed) } else { Cow::Borrowed(typed) };
         let signed = with_signs(without_label(&pointed));
-        let readings = readings(&products.signed(&signed), &vocabularies);
+        let are_numbers = !vectors && is_perhaps_a_decimal(&pointed);
+        let readings =
+            readings(&products.signed(&signed), &vocabularies[..vocabularies.len() - usize::from(are_numbers)]);
         Line { number: place + 1, typed: typed.to_owned(), readings: readings.into_iter().map(Rc::new).collect() }
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
