@@ -6,6 +6,7 @@
 use std::rc::Rc;
 
 use super::answers::is_shown;
+use super::components::put_together;
 use super::decide::is_own;
 use super::memory::{Judged, Lines};
 use crate::answer::Kind;
@@ -86,6 +87,9 @@ impl<'s> Left<'s> {
             let mut readings = lines.read(line, &blank.model.vocabulary);
             // `KE lost = ½mu² sin²30 = 12`: the question has numbers in place of m and u, and the method is seen.
             let mut ends = if readings.is_err() && may_work_out { name_and_end(line) } else { None };
+            // `x = -1, y = 4` after `v = xi + yj`
+            let is_vector = blank.model.kind == Kind::Vector && blank.model.vocabulary.vectors;
+            ends = ends.or_else(|| is_vector.then(|| put_together(&self.all[..*number])).flatten());
             // `½m(16u² - 9u²) = 7mu²/2`: in letters as well the line itself is the method.
             let in_letters = may_work_out
                 && readings.as_ref().as_ref().is_ok_and(|all| all.first().is_some_and(is_worked_out_in_letters));

@@ -9,6 +9,7 @@ mod answers;
 mod beside;
 mod by_lines;
 mod causes;
+mod components;
 mod decide;
 mod exchanged;
 mod follow;

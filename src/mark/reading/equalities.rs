@@ -124,6 +124,14 @@ impl Statements<'_> {
             if !last && self.leads_on(side) {
                 continue;
             }
+            // `speed = v = 2.78`: the letter for what is named.
+            if let (false, 0, Some(label)) = (last, place, label.as_mut().filter(|label| label.expr.is_none()))
+                && let Some(name) = self.other_name(side)
+                && is_of_same_sphere(&name, &label.typed)
+            {
+                label.typed = format!("{} {name}", label.typed);
+                continue;
+            }
             self.is_worked_out(side)?;
             let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
             let stretch = values.stretch(side)?;
@@ -154,6 +162,12 @@ impl Statements<'_> {
         Ok(())
     }
 
+    /// A letter alone that the question does not have.
+    fn other_name(&mut self, side: &[Placed]) -> Option<String> {
+        let name = self.named(side).filter(|name| matches!(name, Expr::Name(_)) && self.has_strange_names(name));
+        name.map(|_| self.plain_name(side))
+    }
+
     /// `m(v − u)`: a formula in letters that nobody knows, on the way to its value. In `u sin θ` another name may begin.
     fn leads_on(&mut self, side: &[Placed]) -> bool {
         let formula = self.passes_over.then(|| self.named(side)).flatten();
@@ -168,6 +182,14 @@ fn names_line_of_centres(noun: &str) -> bool {
     let words: Vec<&str> = noun.split_whitespace().collect();
     let is_described = |from: usize| centres::described(|at| words.get(at).copied(), from) == Some(words.len());
     CENTRES.iter().any(|name| noun.ends_with(name)) || noun == "direction" || (0..words.len()).any(is_described)
+}
+
+/// Does a letter with the name of a sphere stand behind words that name that sphere?
+fn is_of_same_sphere(letter: &str, words: &str) -> bool {
+    let mut signs = letter.chars();
+    let first = signs.next();
+    let index = signs.next_back().filter(|index| first.is_some() && index.is_alphanumeric());
+    index.is_none_or(|index| words.split(|sign: char| !sign.is_alphanumeric()).any(|word| word == index.to_string()))
 }
 
 /// Names and words alone.

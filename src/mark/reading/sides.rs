@@ -137,6 +137,8 @@ impl Statements<'_> {
         let words = |placed: &Placed| {
             matches!(placed.token, Token::Phrase(Phrase::Noun | Phrase::Unknown | Phrase::Remark | Phrase::Sphere))
                 || matches!(placed.token, Token::Sign('+' | '-' | '*' | '/' | '(' | ')'))
+                // `change in momentum`
+                || self.slice(std::slice::from_ref(placed)).eq_ignore_ascii_case("in")
         };
         let is_formula = tokens.iter().any(nouns) && tokens.iter().all(words);
         is_formula.then(|| self.slice(tokens).to_lowercase())
