@@ -39,8 +39,11 @@ pub(super) fn contradict(
             stated
                 .is_some_and(|stated| judge(&blank.model, &Ok(vec![stated.reading.clone()])).verdict == Verdict::Wrong)
         };
-        let is_contradicted = || is_denied() || comes_to_another(blank, script, lines) || is_stated_otherwise();
-        if answer.judgement.verdict == Verdict::Correct && is_typed && is_contradicted() {
+        // An answer that was left in the working is what that comes to.
+        let is_contradicted =
+            || is_denied() || is_typed && (comes_to_another(blank, script, lines) || is_stated_otherwise());
+        let is_taken = is_typed || answer.typed.is_some();
+        if answer.judgement.verdict == Verdict::Correct && is_taken && is_contradicted() {
             answer.judgement.verdict = Verdict::Partial;
             answer.judgement.note = Some(Ground::Contradicted.tag());
             answer.judgement.feedback = "This is the right value, but your working comes to another.".to_owned();

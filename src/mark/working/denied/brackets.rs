@@ -12,23 +12,30 @@ const MOST_WITH_TWO: usize = 400;
 /// By more than such a part of it a number is another, where only figures were rounded.
 const ROUNDED: f64 = 0.005;
 
+/// The same of the many formulas with two pairs of brackets more, of which one comes near anything.
+const ROUNDED_OF_TWO: f64 = 0.0005;
+
 impl Working<'_> {
     /// Does a formula come to these values with one pair of brackets more, or with two: one for each sphere?
     pub(super) fn is_recovered(&self, formula: &Expr, own: &[Value]) -> bool {
-        let with_one = bracketed(formula);
-        let with_two = with_one.iter().flat_map(bracketed).take(MOST_WITH_TWO);
-        with_one.iter().cloned().chain(with_two).any(|formula| {
-            let formula = &formula;
+        let comes_to = |formula: &Expr, rounded: f64| {
             let values = self.in_given_names(formula);
-            values.is_some_and(|values| values.iter().zip(own).all(|(value, own)| is_same(middle(value), middle(own))))
-        })
+            let is = |(value, own): (&Value, &Value)| is_within(middle(value), middle(own), rounded);
+            values.is_some_and(|values| values.iter().zip(own).all(is))
+        };
+        bracketed(formula).iter().any(|formula| comes_to(formula, ROUNDED))
+            || with_two_pairs(formula).any(|formula| comes_to(&formula, ROUNDED_OF_TWO))
     }
 }
 
 /// Are they one value, whichever way it points?
-pub(super) fn is_same([x, y]: [f64; 2], [own_x, own_y]: [f64; 2]) -> bool {
+pub(super) fn is_same(one: [f64; 2], own: [f64; 2]) -> bool {
+    is_within(one, own, ROUNDED)
+}
+
+fn is_within([x, y]: [f64; 2], [own_x, own_y]: [f64; 2], rounded: f64) -> bool {
     let size = x.hypot(y).max(own_x.hypot(own_y));
-    [1.0, -1.0].into_iter().any(|sign| (x - sign * own_x).hypot(y - sign * own_y) <= ROUNDED * size)
+    [1.0, -1.0].into_iter().any(|sign| (x - sign * own_x).hypot(y - sign * own_y) <= rounded * size)
 }
 
 /// Each way to put a pair of brackets about a part of a sum, in which a factor, a minus sign or a quotient then takes in more.
@@ -50,6 +57,18 @@ pub(in crate::mark::working) fn bracketed(formula: &Expr) -> Vec<Expr> {
     found
 }
 
+/// A sum with a pair of brackets more in one part of it and one in the rest, as there is one for each sphere.
+fn with_two_pairs(formula: &Expr) -> impl Iterator<Item = Expr> + '_ {
+    let terms: &[Expr] = if let Expr::Sum(terms) = formula { terms } else { &[] };
+    let parts = (2..terms.len().saturating_sub(1)).map(|place| terms.split_at(place));
+    let both = parts.flat_map(|(first, rest)| {
+        let [first, rest] = [first, rest].map(|terms| bracketed(&Expr::Sum(terms.to_vec())));
+        let each = move |one: Expr| rest.clone().into_iter().map(move |other| Expr::sum([one.clone(), other]));
+        first.into_iter().flat_map(each)
+    });
+    both.take(MOST_WITH_TWO)
+}
+
 fn of_sum(terms: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();
     for first in 0..terms.len() {
@@ -59,7 +78,10 @@ fn of_sum(terms: &[Expr]) -> Vec<Expr> {
                 Expr::sum(before.chain([middle]).chain(terms[last + 1..].iter().cloned()))
             };
             found.extend(opened_in(&terms[first], &terms[first + 1..=last]).into_iter().map(with));
-            found.extend(closed_in(&terms[first..last], &terms[last]).into_iter().map(with));
+            // `3 + 6 × 2` with nothing before it: within a longer sum nobody means so.
+            if first == 0 {
+                found.extend(closed_in(&terms[first..last], &terms[last]).into_iter().map(with));
+            }
         }
     }
     found
