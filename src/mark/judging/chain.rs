@@ -282,10 +282,19 @@ pub(super) fn has_arithmetic(expr: &Expr) -> bool {
                 !above.is_integer() || quotient.is_none_or(|quotient| quotient.is_integer())
             }
             (above, below) if is_plain(above) && is_plain(below) => true,
+            (above, below) if has_ratio_of_number(above) && has_ratio_of_number(below) => true,
             _ => has_arithmetic(above) || has_arithmetic(below),
         },
         Expr::Power(base, exponent) if is_plain(base) && is_plain(exponent) => true,
         _ => expr.children().into_iter().any(has_arithmetic),
+    }
+}
+
+/// The sine, cosine or tangent of a number: `tan 30°/tan 60°` is still to be worked out.
+fn has_ratio_of_number(expr: &Expr) -> bool {
+    match expr {
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle) => angle.names().is_empty(),
+        other => other.children().into_iter().any(has_ratio_of_number),
     }
 }
 

@@ -260,7 +260,11 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
         Kind::Range => range::judge(model, reading),
         Kind::Shown => shown::judge(model, reading),
         Kind::Number | Kind::Expression => {
-            statements::judge(model, reading, &|said, label| number::judge(model, said, label))
+            // `2 to 3` for 2/3, as `2 : 3`
+            let ratio = ratio::of_its_terms(reading).filter(|(_, label)| !ratio::is_a_list(reading, label.as_ref()));
+            let as_ratio = ratio.map(|(said, _)| number::judge(model, &said, None)).filter(|found| found.is_credited());
+            let as_number = || statements::judge(model, reading, &|said, label| number::judge(model, said, label));
+            as_ratio.unwrap_or_else(as_number)
         }
         Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
         Kind::Vector => match vector::of_its_components(model, reading) {

@@ -78,7 +78,9 @@ impl<'s> Left<'s> {
             let shows_method = self.works_out(place, *number);
             // Both components of a vector are its method.
             let has_method = has_method || shows_method && blank.model.kind == Kind::Vector;
-            let may_work_out = shows_method && line.contains('=');
+            // `m(fu cos α + u cos α)` by itself is the method and the answer.
+            let is_formula_alone = shows_method && blank.model.kind == Kind::Expression && !line.contains('=');
+            let may_work_out = shows_method && line.contains('=') || is_formula_alone;
             let is_called = calls_something(line) || is_range && is_inequality(line);
             let is_called = is_called || self.is_lone_value(line);
             if !has_method && !may_work_out && !is_called && self.begun.is_none() {
@@ -124,7 +126,13 @@ impl<'s> Left<'s> {
                 statements.is_some_and(|statements| statements.iter().any(is_called))
             };
             // `45 - 18.4 = 26.6`: the line itself is the method.
-            let is_end = || in_letters || may_work_out && statements.iter().all(is_worked_out);
+            let is_alone_here =
+                || matches!(statements.as_slice(), [Statement { label: None, said }] if said.len() == 1);
+            let is_end = || {
+                in_letters
+                    || may_work_out && statements.iter().all(is_worked_out)
+                    || is_formula_alone && is_alone_here()
+            };
             let is_root = self.is_root(blank, *number, statements, lines);
             let is_result = is_result || is_root;
             let is_unit = self.is_lone_value(line) && has_own_unit(blank, statements);

@@ -19,6 +19,10 @@ impl Parser<'_> {
             if let Some((count, figures)) = self.token(0).and_then(count)
                 && self.token(1).is_some_and(|token| is_part(token, mark, words))
             {
+                // Of 60 minutes one more degree is made.
+                if count >= Fraction::from(60) {
+                    return self.fault("there are no more than 59 minutes or seconds");
+                }
                 total = &total + &(&count * &Fraction::new(1, share));
                 places = Some(Places::DecimalPlaces(decimals + figures));
                 self.at += 2;

@@ -38,6 +38,14 @@ impl Statements<'_> {
             sides[0] = value;
             return self.labelled(Some(label), &sides);
         }
+        // `KE before ½(4 + 9) + 2 = 8.5`
+        let words = sides[0].iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
+        let (name, value) = sides[0].split_at(words);
+        if !name.is_empty() && self.is_worked_in_figures(value) {
+            let label = Label { typed: self.plain_name(name), expr: None };
+            sides[0] = value;
+            return self.labelled(Some(label), &sides);
+        }
         let sides = sides.as_slice();
         let left = self.what_is(sides[0])?;
         // `2.78 = v`
@@ -160,6 +168,20 @@ impl Statements<'_> {
         self.found.push(Statement { label, said });
         self.found.extend(more);
         Ok(())
+    }
+
+    /// Is something worked out there, in figures and letters of the question?
+    fn is_worked_in_figures(&self, tokens: &[Placed]) -> bool {
+        let is_operation = |placed: &Placed| matches!(placed.token, Token::Sign('+' | '-' | '*' | '/' | '^'));
+        let is_letter = |name: &str| self.vocabulary.letters.iter().any(|letter| letter.name() == name);
+        let is_figure = |placed: &Placed| match &placed.token {
+            Token::Number(_) | Token::Root { .. } | Token::Sign('(' | ')' | '⟦' | '⟧' | '.' | '·') => true,
+            Token::Word(word) => is_letter(word),
+            _ => is_operation(placed),
+        };
+        let begins =
+            tokens.first().is_some_and(|first| matches!(first.token, Token::Number(_) | Token::Sign('(' | '⟦')));
+        begins && tokens.iter().all(is_figure) && tokens.iter().any(is_operation)
     }
 
     /// A letter alone that the question does not have.

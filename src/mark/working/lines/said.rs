@@ -5,7 +5,7 @@ use crate::answer::Kind;
 use crate::bank::Find;
 use crate::expr::Expr;
 use crate::mark::judging::{Model, named_spheres, words_fit};
-use crate::mark::reading::{Form, Reading, Statement};
+use crate::mark::reading::{Form, Reading, Said, Statement};
 use crate::mark::working::examine::{Studied, Working};
 use crate::mark::working::numbers::sizes;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
@@ -86,13 +86,29 @@ impl Working<'_> {
             };
             is_name && self.part.calls(place, statement) && words_fit(&blank.model, &label.typed)
         };
-        self.lines.iter().rev().find_map(|studied| {
-            let mut statements = studied.reading.as_ref()?.statements.iter().rev();
-            let statement = statements.find(is_named).filter(|statement| is_a_value(statement, &blank.model))?;
-            let reading = Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
+        self.lines.iter().enumerate().rev().find_map(|(place, studied)| {
+            let statements = &studied.reading.as_ref()?.statements;
+            let at = statements.iter().rposition(|statement| is_named(&statement))?;
+            let mut statement = Some(&statements[at]).filter(|statement| is_a_value(statement, &blank.model))?.clone();
+            if at + 1 == statements.len() {
+                statement.said.extend(self.goes_on_with(place));
+            }
+            let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
             let (typed, is_never_right) = (studied.line.typed.clone(), !self.has_right_value(&blank.find));
             Some(Stated { typed, reading, is_never_right })
         })
+    }
+}
+
+impl Working<'_> {
+    /// What the lines after this one go on with: `= 6.5` below `loss = 100 - 92.5`.
+    fn goes_on_with(&self, place: usize) -> Vec<Said> {
+        let later = self.lines[place + 1..].iter().take_while(|studied| studied.line.goes_on());
+        let only = |studied: &Studied| match studied.reading.as_ref()?.statements.as_slice() {
+            [Statement { label: None, said }] => Some(said.clone()),
+            _ => None,
+        };
+        later.map(only).take_while(Option::is_some).flatten().flatten().collect()
     }
 }
 
