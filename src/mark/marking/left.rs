@@ -105,7 +105,9 @@ impl<'s> Left<'s> {
             let statements = readings.first().map(|one| &one.statements)?;
             // `v = 3, w = 5` is for two blanks, and not the second value for either; `w − v = 3` is for none.
             // `tan β = 1/2, β = 26.6°` and `63.4° to the normal, so 26.6° to the wall` are about one angle.
-            let is_of_one_angle = || self.is_only_angle(place) && statements.iter().all(is_of_angle);
+            let is_of_one_angle = || {
+                self.is_only_angle(place) && statements.iter().all(is_of_angle) || is_angle_after_its_ratio(statements)
+            };
             let is_alone = self.part.blanks.len() == 1 || statements.len() == 1 || is_of_one_angle();
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
             let is_result = labels.all(|label| !is_formula(&label.typed) || is_made_of_others(&blank.model, label));
@@ -307,6 +309,18 @@ fn has_own_unit(blank: &KeyedBlank, statements: &[Statement]) -> bool {
         _ => false,
     };
     is_asked && figures.chars().filter(char::is_ascii_digit).count() >= 3
+}
+
+/// `tan δ = 0.237, δ = 13.3°`: an angle, after its own tangent, sine or cosine.
+fn is_angle_after_its_ratio(statements: &[Statement]) -> bool {
+    let name = |statement: &Statement| statement.label.as_ref().and_then(|label| label.expr.clone());
+    match statements {
+        [ratio, angle] => match (name(ratio), name(angle)) {
+            (Some(Expr::Call(Function::Tan | Function::Sin | Function::Cos, of)), Some(angle)) => *of == angle,
+            _ => false,
+        },
+        _ => false,
+    }
 }
 
 /// Is it found by an inverse tangent, sine or cosine?

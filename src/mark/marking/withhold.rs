@@ -41,7 +41,12 @@ pub(super) fn withhold_from_wrong_method(
         let own = own_blanks(mark, part);
         let by_answer = matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }));
         // What is worked out with the letter has come of the same luck.
-        let is_letter = |blank: &KeyedBlank| matches!(blank.find, Find::Unknown(_));
+        let is_letter = |blank: &KeyedBlank| match blank.find {
+            Find::Unknown(_) => true,
+            // A mass comes of one equation.
+            Find::Quantity(quantity) => matches!(quantity.of_its_impact(), Quantity::Mass(_)),
+            Find::Vector(..) => false,
+        };
         let is_range = own.iter().any(|blank| part.blanks[*blank].model.kind == Kind::Range);
         let is_to_be_found = part.blanks.iter().any(is_letter) || is_range;
         let is_by_luck = is_to_be_found && !has_right_value;

@@ -29,6 +29,9 @@ impl Products {
         if !self.has_x && signed.contains(" x ") {
             signed = Cow::Owned(with_times(&signed));
         }
+        if signed.contains("e ") {
+            signed = Cow::Owned(with_e_apart(&signed));
+        }
         if self.has_m && signed.contains('m') {
             signed = Cow::Owned(self.with_masses_apart(&signed));
         }
@@ -102,6 +105,27 @@ fn with_times(typed: &str) -> String {
             out.push_str(if is_after_factor && is_before_factor { " × " } else { " x " });
         }
         out.push_str(part);
+    }
+    out
+}
+
+/// `e × 10 cos α` for `e 10 cos α`: a number after the coefficient of restitution and a blank, with more behind it.
+fn with_e_apart(typed: &str) -> String {
+    let mut out = String::with_capacity(typed.len() + 8);
+    let mut before = None;
+    for (at, sign) in typed.char_indices() {
+        out.push(sign);
+        let is_alone =
+            sign == 'e' && !before.is_some_and(|sign: char| sign.is_alphabetic() || sign == '_' || sign == '\\');
+        let number = typed[at + sign.len_utf8()..].strip_prefix(' ');
+        let behind = number.map(|rest| rest.trim_start_matches(|sign: char| sign.is_ascii_digit() || sign == '.'));
+        let goes_on = behind.is_some_and(|behind| {
+            behind.trim_start().starts_with(|sign: char| sign.is_alphabetic() || sign == '(' || sign == '√')
+        });
+        if is_alone && goes_on && number.is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit())) {
+            out.push_str(" ×");
+        }
+        before = Some(sign);
     }
     out
 }
