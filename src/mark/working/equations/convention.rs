@@ -157,9 +157,9 @@ fn parts_the_spheres(convention: &Convention, found: &[Found]) -> bool {
 /// `w - v = e u_A = ⅓(4 cos 30°)` the number is what the difference of the velocities is.
 fn in_numbers(equations: &[(Expr, Expr)], prepared: &Prepared) -> Vec<(Expr, Expr)> {
     let is_known = |name: &str| matches!(name, "i" | "j") || prepared.gives(name);
-    // In `30 = 4x + y = 30` there is no other side for it.
+    // In `30 = 4x + y = 30` and `e = (w - v)/6 = ½` there is no other side for it.
     let is_general = |side: &Expr, beside: &[&Expr]| {
-        if beside.iter().all(|other| other.names().is_empty()) {
+        if beside.iter().all(|other| other.names().iter().all(|name| is_known(&name.text))) {
             return false;
         }
         let stands = |name: &str| beside.iter().any(|other| other.names().iter().any(|known| known.text == name));
