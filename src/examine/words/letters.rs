@@ -223,7 +223,8 @@ fn call(question: &Question, sentence: &Sentence, place: usize, named: Option<Sp
     let Token::Number(Expr::Name(name), _, lead) = &sentence[place] else { return None };
     let letter = Some(&name.text).filter(|letter| question.scene.symbols.contains_key(*letter))?;
     let (at, ..) = noun_of(sentence, place).filter(|(_, noun, _)| *noun == Noun::Angle)?;
-    let is_turned = sentence[at.saturating_sub(3)..at].iter().any(|token| is_one_of(token, &["through"]));
+    let is_turned = sentence[at.saturating_sub(3)..at].iter().any(|token| is_one_of(token, &["through"]))
+        || is_to_the_old_way(&sentence[place + 1..]);
     let from = measured_from(&sentence[place + 1..]);
     let angle = match (is_turned, from) {
         (true, _) => Called::Turned,
@@ -236,6 +237,23 @@ fn call(question: &Question, sentence: &Sentence, place: usize, named: Option<Sp
     let words: Vec<&str> = lead.split_whitespace().collect();
     let at = words[words.len().saturating_sub(8)..].join(" ");
     Some(Call { letter: letter.clone(), angle, from: from.filter(|_| !is_turned), at })
+}
+
+/// `To its original direction`, `with the direction in which it was moving before`: is it the angle between two paths?
+fn is_to_the_old_way(after: &[Token]) -> bool {
+    const OLD: [&str; 7] = ["original", "initial", "old", "former", "previous", "first", "earlier"];
+    const WAYS: [&str; 4] = ["direction", "path", "course", "line"];
+    match after {
+        [to, of, old, way, ..] => {
+            let is_of_it = is_one_of(to, &["to", "with", "from"]) && is_one_of(of, &["its", "the", "his", "their"]);
+            let was = || {
+                let rest = after[3..].iter().take_while(|token| !matches!(token, Token::Comma | Token::Number(..)));
+                is_one_of(old, &WAYS) && rest.into_iter().any(|token| is_one_of(token, &["was", "had"]))
+            };
+            is_of_it && ((is_one_of(old, &OLD) && is_one_of(way, &WAYS)) || was())
+        }
+        _ => false,
+    }
 }
 
 /// The time of which an angle is said to be; none where no word tells, or where it is not plain of which impact.
@@ -259,7 +277,13 @@ mod tests {
     fn a_letter_is_of_one_angle() {
         let (two, letters) = ("walls/restitution-from-two-angles", "rest-letters/direction-and-deflection");
         let (corner, distance) = ("successive/tangents-at-two-walls", "rest-letters/distance-from-the-centre-of-b");
-        let table: [(&str, Edits, &str); 14] = [
+        const SHOWN: &str = "Hence show that the path of *A* is deflected through an angle {delta}, where";
+        let to_old = &[(SHOWN, "Now *A* moves at an angle {delta} to its original direction. Show that")];
+        let beta_to_old =
+            &[(SHOWN, "Now *A* moves at an angle {beta} to the direction in which it was moving, and {delta}, where")];
+        let table: [(&str, Edits, &str); 16] = [
+            (letters, to_old, ""),
+            (letters, beta_to_old, "a path is turned `beta`, and `beta` is the angle after"),
             (two, &[], ""),
             (
                 two,

@@ -42,6 +42,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.velocity_without_direction(&sentence, &mut findings);
             seen.impulses(&sentence, &mut findings);
             seen.meeting_again(&sentence, &mut findings);
+            seen.met_before(&sentence, &mut findings);
             seen.directed(&sentence, &mut findings);
             seen.positive(&sentence, &mut findings);
             seen.same_way(&sentence, &mut findings);
@@ -52,6 +53,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.perpendicular_paths(&sentence, is_later, &mut findings);
             seen.across(&sentence, &mut findings);
             seen.about_a_wall(&sentence, is_struck, &mut findings);
+            seen.nearer_to_a_wall(&sentence, &mut findings);
             seen.striking(&sentence, is_struck, &mut findings);
             seen.squarely(&sentence, &mut findings);
             is_struck |= says(&sentence, &STRUCK);

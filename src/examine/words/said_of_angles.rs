@@ -121,6 +121,27 @@ mod tests {
     use super::super::said_tests::assert_said;
 
     #[test]
+    fn an_angle_or_a_speed_that_nothing_names_is_one_still() {
+        let (rest, wall, two) =
+            ("rest/speeds-and-directions", "walls/rebound-speed-and-direction", "successive/tangents-at-two-walls");
+        let makes = "the direction of motion of *A* makes an acute angle of\n{alpha deg} with the line of centres of the spheres.";
+        let (line, speeds) =
+            ("direct/one-sphere-catches-the-other", "The speed of *A* is {u m/s} and the speed of *B* is {w m/s}. The");
+        let path = "its direction of motion makes an acute angle of\n{alpha deg} with the wall";
+        let table = [
+            (rest, makes, "*A* is moving at {alpha deg} to the line of centres of the spheres.", ""),
+            (rest, makes, "*A* is moving at {alpha deg} to the common tangent at the point of contact.", "the angle"),
+            (wall, path, "it is moving at {alpha deg} to the wall", ""),
+            (wall, path, "it is moving at {alpha deg} to the normal to the wall", "the angle"),
+            (two, "at an acute angle {alpha} to the first wall", "at {alpha} to the first wall", ""),
+            (two, "at an acute angle {alpha} to the first wall", "at {alpha} to the second wall", "the angle"),
+            (line, speeds, "*A* is moving at {u m/s} and *B* at {w m/s}. The", ""),
+            (line, speeds, "*A* is moving at {w m/s} and *B* at {u m/s}. The", "the speed"),
+        ];
+        assert_said(&table);
+    }
+
+    #[test]
     fn an_equation_of_the_words_holds() {
         let table = [(
             "rest/speeds-and-directions",

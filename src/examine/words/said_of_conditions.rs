@@ -77,6 +77,37 @@ impl Seen<'_> {
         }
     }
 
+    /// Two that are said to meet `again`, or not to, and in the scene have never met.
+    pub(super) fn met_before(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const DENIED: [&str; 9] = ["does", "do", "will", "not", "never", "then", "later", "both", "must"];
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["again"])) else { return };
+        let before: Vec<&Token> = sentence[..at].iter().filter(|token| !is_one_of(token, &DENIED)).collect();
+        let meets = |token: &Token| {
+            is_one_of(token, &["strike", "strikes", "collide", "collides", "hit", "hits", "meet", "meets"])
+        };
+        let pair = match before.as_slice() {
+            [.., Token::Sphere(one), meets_it, Token::Sphere(other)] if meets(meets_it) => [*one, *other],
+            [.., Token::Sphere(one), meets_it, with, Token::Sphere(other)]
+                if meets(meets_it) && is_one_of(with, &["with", "into"]) =>
+            {
+                [*one, *other]
+            }
+            [.., Token::Sphere(one), and, Token::Sphere(other), meet] if is_one_of(and, &["and"]) && meets(meet) => {
+                [*one, *other]
+            }
+            _ => return,
+        };
+        let have_met = impacts(&self.question.scene).iter().any(|impact| pair.iter().all(|sphere| impact.has(*sphere)));
+        if !have_met && pair[0] != pair[1] {
+            let [one, other] = pair.map(Sphere::name);
+            let message = format!(
+                "the words say that `*{one}*` and `*{other}*` meet again, and in the scene they have never met"
+            );
+            let help = "name those that have met in `[scene]`, or leave out `again`";
+            findings.push(self.finding(message, "again", help));
+        }
+    }
+
     /// How many impacts the scene has, and how many of them are between spheres.
     fn impacts_counted(&self) -> [usize; 2] {
         let all = impacts(&self.question.scene);
@@ -319,6 +350,24 @@ fn keeps_its(before: &[Token]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::said_tests::assert_said;
+
+    #[test]
+    fn only_who_has_met_meets_again() {
+        let line = "successive/no-more-collisions";
+        let table = [
+            (line, "*A* does not strike *B* again", "*A* does not strike *C* again", "`*A*` and `*C*` meet again"),
+            (
+                line,
+                "*A* does not strike *B* again",
+                "*A* does not collide with *C* again",
+                "`*A*` and `*C*` meet again",
+            ),
+            (line, "*A* does not strike *B* again", "*A* and *C* do not collide again", "`*A*` and `*C*` meet again"),
+            (line, "*A* does not strike *B* again", "*A* and *B* do not collide again", ""),
+            (line, "*A* does not strike *B* again", "*B* is not struck again by *A*", ""),
+        ];
+        assert_said(&table);
+    }
 
     #[test]
     fn who_moves_on_in_a_direction_or_meets_again_does_so() {

@@ -104,7 +104,10 @@ impl Seen<'_> {
             token if is_one_of(token, &["perpendicular"]) => Some(false),
             _ => None,
         };
-        let Some(walls) = sentence.iter().position(is_walls) else { return };
+        let Some(walls) = sentence.iter().position(is_walls) else {
+            self.wall_beside_the_first(sentence, findings);
+            return;
+        };
         let is_of_them = |token: &&Token| is_one_of(token, &["smooth", "fixed", "vertical"]);
         let described = sentence[..walls].iter().rev().find(|token| !is_of_them(token));
         let described = described.and_then(|token| Some((token, how(token)?)));
@@ -115,6 +118,17 @@ impl Seen<'_> {
             let is_one = is_one_of(&words[2], &["one"]) && is_one_of(&words[3], &["another"]);
             Some((&words[0], how(&words[0])?)).filter(|_| is_one_of(&words[1], &["to"]) && (is_each || is_one))
         });
+        // `The walls are parallel, …`
+        let alone = || {
+            const LEADING: [&str; 6] = ["are", "which", "that", "lie", "stand", "vertical"];
+            let at = after.iter().position(|token| how(token).is_some())?;
+            let ends = match after.get(at + 1) {
+                None | Some(Token::Comma) => true,
+                Some(next) => is_one_of(next, &["and", "with", "so", "but"]),
+            };
+            let is_led = after[..at].iter().all(|token| *token == Token::Comma || is_one_of(token, &LEADING));
+            Some((&after[at], how(&after[at])?)).filter(|_| is_led && ends)
+        };
         let across = || {
             let is_right =
                 |pair: &[Token]| is_one_of(&pair[0], &["right"]) && is_one_of(&pair[1], &["angle", "angles"]);
@@ -125,7 +139,50 @@ impl Seen<'_> {
             let is_led = lead.iter().all(|token| is_verb(token) || is_one_of(token, &["that", "which", "at", "a"]));
             (is_led && lead.iter().any(is_verb)).then_some((&after[at], false))
         };
-        let Some((Token::Word(word), are_parallel)) = described.or(beside).or_else(across) else { return };
+        let Some((Token::Word(word), are_parallel)) = described.or(beside).or_else(alone).or_else(across) else {
+            return;
+        };
+        self.two_walls(are_parallel, word, findings);
+    }
+
+    /// `The second wall is parallel to the first`, `is at right angles to the first wall`.
+    fn wall_beside_the_first(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const OTHER: [&str; 2] = ["first", "other"];
+        let is_wall = |pair: &[Token]| is_one_of(&pair[0], &["second", "other"]) && is_one_of(&pair[1], &["wall"]);
+        let Some(second) = sentence.windows(2).position(is_wall) else { return };
+        let rest = &sentence[second + 2..];
+        let to_the_first = |rest: &[Token]| match rest {
+            [to, the, first, rest @ ..] => {
+                let ends = rest
+                    .first()
+                    .is_none_or(|next| !matches!(next, Token::Word(word) if word != "wall" && word != "and"));
+                is_one_of(to, &["to", "with"]) && is_one_of(the, &["the"]) && is_one_of(first, &OTHER) && ends
+            }
+            _ => false,
+        };
+        let is_led = |at: usize| {
+            const LEADING: [&str; 8] = ["is", "which", "that", "lies", "stands", "also", "at", "vertical"];
+            rest[..at].iter().all(|token| *token == Token::Comma || is_one_of(token, &LEADING))
+        };
+        let said = (0..rest.len()).find_map(|at| match &rest[at..] {
+            [how, rest @ ..] if is_one_of(how, &["parallel"]) && to_the_first(rest) => Some((at, "parallel", true)),
+            [how, rest @ ..] if is_one_of(how, &["perpendicular"]) && to_the_first(rest) => {
+                Some((at, "perpendicular", false))
+            }
+            [right, angles, rest @ ..]
+                if is_one_of(right, &["right"]) && is_one_of(angles, &["angles"]) && to_the_first(rest) =>
+            {
+                Some((at, "right angles", false))
+            }
+            _ => None,
+        });
+        if let Some((_, word, are_parallel)) = said.filter(|(at, ..)| is_led(*at)) {
+            self.two_walls(are_parallel, word, findings);
+        }
+    }
+
+    /// The two walls of a scene, which are said to be parallel or else at right angles.
+    fn two_walls(&self, are_parallel: bool, word: &str, findings: &mut Vec<Finding>) {
         let lies = |nth| self.lies(Lies::Wall(Some(nth)));
         let (Some(one), Some(other), None) = (lies(0), lies(1), lies(2)) else { return };
         if !do_lie(one, other, are_parallel) {
@@ -163,6 +220,9 @@ impl Seen<'_> {
 mod tests {
     use super::super::said_tests::assert_said;
 
+    const CORNER: &str = "successive/corner";
+    const MEET: &str = "walls that meet at a\nright angle.";
+
     #[test]
     fn walls_and_lines_of_centres_lie_as_they_are_said_to() {
         let table = [
@@ -194,6 +254,17 @@ mod tests {
                 "the walls are parallel",
             ),
             ("successive/corner", "two smooth fixed", "two parallel smooth fixed", "the walls are parallel"),
+            (CORNER, MEET, "walls. The walls are parallel.", "the walls are parallel"),
+            (CORNER, MEET, "walls, which are perpendicular.", ""),
+            (CORNER, MEET, "walls. The second wall is parallel to the first.", "the walls are parallel"),
+            (
+                CORNER,
+                MEET,
+                "walls. The second wall, which is parallel to the first wall, is smooth.",
+                "the walls are parallel",
+            ),
+            (CORNER, MEET, "walls. The second wall is at right angles to the first.", ""),
+            (CORNER, MEET, "walls. The second wall is struck at right angles to the first path.", ""),
             (
                 "successive/corner",
                 "meet at a\nright angle.",

@@ -70,6 +70,71 @@ impl Seen<'_> {
         }
     }
 
+    /// Of two in a line with a wall at its end, the one that is said to lie nearer to it and lies further away: `*B* is between
+    /// *A* and the wall`, `*B* is nearer to the wall`, `*A* lies beyond *B* as seen from the wall`.
+    pub(super) fn nearer_to_a_wall(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let scene = &self.question.scene;
+        if !scene.is_in_one_line() || says(sentence, &["not", "no", "never", "speed", "force", "impulse"]) {
+            return;
+        }
+        let Some((near, far, at)) = (0..sentence.len()).find_map(|place| self.said_nearer(sentence, place)) else {
+            return;
+        };
+        let impacts = impacts(scene);
+        let all: Vec<Sphere> =
+            Sphere::ALL.into_iter().filter(|sphere| impacts.iter().any(|impact| impact.has(*sphere))).collect();
+        let strikers: Vec<Sphere> = impacts
+            .iter()
+            .filter(|impact| impact.is_wall)
+            .filter_map(|impact| all.iter().copied().find(|sphere| impact.has(*sphere)))
+            .collect();
+        // The line runs from A to the others, and a wall is at its end.
+        let is_at_end = strikers.iter().all(|striker| Some(striker) == all.last());
+        let is_at_start = strikers.iter().all(|striker| Some(striker) == all.first());
+        let is_so = match (is_at_end, is_at_start) {
+            (true, false) => near > far,
+            (false, true) => near < far,
+            _ => return,
+        };
+        if !is_so && all.contains(&near) && all.contains(&far) && near != far {
+            let (near, far) = (near.name(), far.name());
+            let message =
+                format!("the words say that `*{near}*` is nearer to the wall than `*{far}*`, and it is not so");
+            let help = "say who lies next to the wall, or change who strikes it in `[scene]`";
+            findings.push(self.finding(message, &at, help));
+        }
+    }
+
+    /// The sphere that is said to be nearer to a wall, the other, and the words that say so.
+    fn said_nearer(&self, sentence: &[Token], place: usize) -> Option<(Sphere, Sphere, String)> {
+        let scene = &self.question.scene;
+        let spheres: Vec<Sphere> = sentence.iter().filter_map(named).collect();
+        let other = |own: Sphere| {
+            let is_said = spheres.iter().find(|sphere| **sphere != own);
+            let is_one_of_two = scene.then.iter().all(|then| !then.of.iter().any(|name| name == "C"));
+            is_said.copied().or_else(|| Sphere::BOTH.into_iter().find(|sphere| *sphere != own && is_one_of_two))
+        };
+        let own = || subject(&sentence[..place]);
+        match &sentence[place..] {
+            [between, one, and, rest @ ..] if is_one_of(between, &["between"]) && is_one_of(and, &["and"]) => {
+                wall_named(scene, rest)?;
+                Some((own()?, named(one)?, format!("between *{}*", named(one)?.name())))
+            }
+            [nearer, rest @ ..] if is_one_of(nearer, &["nearer", "closer", "nearest", "closest"]) => {
+                let rest = rest.strip_prefix(&[Token::Word("to".to_owned())]).unwrap_or(rest);
+                wall_named(scene, rest)?;
+                let Token::Word(word) = nearer else { return None };
+                Some((own()?, other(own()?)?, word.clone()))
+            }
+            [beyond, one, rest @ ..] if is_one_of(beyond, &["beyond"]) => {
+                let from = rest.iter().position(|token| is_one_of(token, &["from"]))?;
+                wall_named(scene, &rest[from + 1..])?;
+                Some((named(one)?, own()?, format!("beyond *{}*", named(one)?.name())))
+            }
+            _ => None,
+        }
+    }
+
     /// The vector along the wall of an impact.
     pub(super) fn along_wall(&self, impact: u8) -> Option<[Value; 2]> {
         let along = wall_of(&self.question.scene, impact)?;
@@ -106,6 +171,10 @@ impl Seen<'_> {
     }
 }
 
+fn named(token: &Token) -> Option<Sphere> {
+    if let Token::Sphere(sphere) = token { Some(*sphere) } else { None }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::said_tests::assert_said;
@@ -117,6 +186,46 @@ mod tests {
             ("walls/tangents-in-letters", "rebounds from it", "rebounds, moving away from the wall", ""),
             ("successive/second-collision", "{u m/s} along", "{u m/s} towards the wall along", ""),
             ("successive/second-collision", "{u m/s} along", "{u m/s} away from the wall along", "away from the wall"),
+        ];
+        assert_said(&table);
+    }
+
+    #[test]
+    fn who_is_nearer_to_a_wall_strikes_it() {
+        let (second, between) =
+            ("successive/second-collision", "Sphere *B* is at rest between *A* and a smooth vertical wall.");
+        let table = [
+            (second, "{u m/s} along", "{u m/s} along", ""),
+            (
+                second,
+                between,
+                "Sphere *B* is at rest. There is a smooth vertical wall, and *B* is nearer to the wall.",
+                "",
+            ),
+            (
+                second,
+                between,
+                "Sphere *B* is at rest. There is a smooth vertical wall, and *A* is nearer to the wall.",
+                "`*A*` is nearer to the wall than `*B*`",
+            ),
+            (
+                second,
+                between,
+                "Sphere *B* is at rest, and *A* is between *B* and a smooth vertical wall.",
+                "`*A*` is nearer to the wall than `*B*`",
+            ),
+            (
+                second,
+                between,
+                "*B* is at rest near a smooth vertical wall, and *A* lies beyond *B* as seen from the wall.",
+                "",
+            ),
+            (
+                second,
+                between,
+                "*B* is at rest near a smooth vertical wall, and lies beyond *A* as seen from the wall.",
+                "`*A*` is nearer to the wall than `*B*`",
+            ),
         ];
         assert_said(&table);
     }

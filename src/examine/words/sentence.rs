@@ -142,6 +142,9 @@ pub(super) const BETWEEN: [&str; 32] = [
 
 /// What the number at a place of a sentence is of, if that is plain.
 pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> {
+    if let Some((at, noun)) = unnamed(sentence, place) {
+        return Some((at, noun, false));
+    }
     for (at, token) in sentence[..place].iter().enumerate().rev() {
         let Word(word) = token else { continue };
         let (noun, is_plural) = match word.as_str() {
@@ -161,6 +164,23 @@ pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> 
         return Some((at, noun, is_plural));
     }
     None
+}
+
+/// What a number is of that nothing names, `moving at {alpha deg} to the wall` and `moving at {u m/s}`.
+fn unnamed(sentence: &[Token], place: usize) -> Option<(usize, Noun)> {
+    let at = place.checked_sub(1).filter(|at| is_one_of(&sentence[*at], &["at"]))?;
+    let Number(expr, unit, _) = sentence.get(place)? else { return None };
+    let after = &sentence[place + 1..];
+    let is_to_a_line = || {
+        let leads = after.first().is_some_and(|next| is_one_of(next, &["to", "with"]));
+        leads && measured_from(after).is_some()
+    };
+    match unit {
+        Unit::Degree if is_to_a_line() => Some((at, Noun::Angle)),
+        Unit::None if matches!(expr, Expr::Name(_)) && is_to_a_line() => Some((at, Noun::Angle)),
+        Unit::MetrePerSecond if !matches!(expr, Expr::Vector(..)) => Some((at, Noun::Speed)),
+        _ => None,
+    }
 }
 
 /// Do words lead to what comes before or after an impulse, `before the` and `after it receives the`?
