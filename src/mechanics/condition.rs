@@ -54,6 +54,34 @@ fn range_of(quantity: Quantity) -> Option<(i64, i64)> {
     }
 }
 
+/// Are both sides of an inequality angles from 0 to 180 degrees? Then the sine of their difference has the sign of the
+/// difference, but where one is 0 and the other 180 degrees.
+pub(super) fn are_unsigned_angles(condition: &Condition, letters: &dyn Fn(&str) -> Option<Meaning>) -> bool {
+    let is_unsigned = |side: &Expr| {
+        if let Expr::Name(name) = side {
+            if let Some((least, _)) = name.text.parse().ok().and_then(range_of) {
+                return least == 0;
+            }
+        }
+        match evaluate(side, letters) {
+            Ok(Meaning::Number(value)) => value.as_fraction().is_some_and(|degrees| is_within(degrees)),
+            Ok(Meaning::Degrees(turn) | Meaning::Angle(turn)) => match turn.rest {
+                None => is_within(&turn.degrees),
+                Some(_) => {
+                    turn.is_constant()
+                        && turn.enclose(64).is_some_and(|own| is_within(&own.lower()) && is_within(&own.upper()))
+                }
+            },
+            _ => false,
+        }
+    };
+    is_unsigned(&condition.left) && is_unsigned(&condition.right)
+}
+
+fn is_within(degrees: &Fraction) -> bool {
+    *degrees > Fraction::ZERO && *degrees < Fraction::from(180)
+}
+
 /// Nought at points inside the ranges of its letters, where it exists: for a formula whose roots do
 /// not show that it is nought.
 pub(super) fn vanishes(value: &Value) -> bool {

@@ -134,7 +134,7 @@ pub(super) fn in_english(quantity: Quantity, setting: Setting) -> String {
         SphereMomentum(s, m, axis) => {
             format!("the component of the momentum of *{}* {} {m} the impact", s.name(), along(axis))
         }
-        AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {m} the impact", s.name()),
+        AngleToLine(s, m) => format!("the angle in degrees of *{}* to the line of centres {m} the impact", s.name()),
         AngleFromN(s, m) => {
             format!(
                 "the angle in degrees, anticlockwise, from the line of centres to the velocity of *{}* {m} the impact",

@@ -5,7 +5,7 @@
 //! each other, and e lies between 0 and 1.
 
 use super::backwards::Posed;
-use super::condition::{name_of, residual};
+use super::condition::{are_unsigned_angles, name_of, residual};
 use super::conditions_in_words::{inequality_words, no_roots};
 use super::later::Meeting;
 use super::line::Line;
@@ -116,10 +116,28 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
             _ => {}
         },
         _ => {
+            let are_parted_by_a_point = spans.windows(2).all(|pair| match (&pair[0].high, &pair[1].low) {
+                (Some(high), Some(low)) => high.value.equals(&low.value),
+                _ => false,
+            });
+            let names = scene.conditions.iter().flat_map(|one| [&one.left, &one.right]).flat_map(Expr::names);
+            let tangent = names.filter_map(|name| name.text.parse().ok()).find_map(|tangent: Quantity| {
+                let angle = match tangent.of_its_impact() {
+                    Quantity::TanToLine(sphere, moment) => Quantity::AngleToLine(sphere, moment),
+                    Quantity::TanToWall(sphere, moment) => Quantity::AngleToWall(sphere, moment),
+                    _ => return None,
+                };
+                Some((tangent, angle.in_impact(tangent.impact())?))
+            });
             let all = spans.drain(..).map(|span| Values { letter: *unknown, span });
             let all: Vec<String> = all.map(|values| print::unicode(&values.written())).collect();
             let pieces = Refusal::beyond(format!("the values of {name} are not in one piece: {}", all.join(", or ")));
-            return Err(pieces.try_this("give one more condition, which only one of the pieces meets"));
+            return Err(match tangent.filter(|_| are_parted_by_a_point) {
+                Some((tangent, angle)) => pieces.try_this(format!(
+                    "there is no `{tangent}` at a right angle: write the condition with `{angle}`, as in `{angle} > atan(2)/deg`"
+                )),
+                None => pieces.try_this("give one more condition, which only one of the pieces meets"),
+            });
         }
     }
     Ok(Values { letter: *unknown, span: spans.remove(0) })
@@ -285,9 +303,9 @@ impl Posed {
         let letters = |name: &str| meaning(&self.scene.letters, name);
         let one = |condition: &Condition| {
             let gap = residual(condition, &letters, &self.known).map_err(super::condition::fault)?;
-            if gap.is_of_angles() {
-                return Err(Refusal::beyond("an inequality between angles is not solved here")
-                    .try_this("compare their tangents, as `A.after.tan_to_loc`"));
+            if gap.is_of_angles() && !are_unsigned_angles(condition, &letters) {
+                return Err(Refusal::beyond("an inequality between these angles is not solved here")
+                    .try_this("compare an angle that has no sign with a number of degrees from 0 to 180"));
             }
             let side = |expr: &Expr| number(expr, &|name| name_of(name, &letters, &self.known)).ok();
             let sides = side(&condition.left).zip(side(&condition.right));

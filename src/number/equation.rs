@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use super::polynomial_roots::roots_of_factor;
+use super::polynomial_roots::{coprime, roots_of_factor};
 use super::terms::{Roots, Terms};
 use super::value::Value;
 use super::{Letter, Polynomial, Root};
@@ -37,7 +37,10 @@ pub fn collected(equation: &Value, unknown: Letter) -> Option<(Vec<Value>, bool)
         Root::Prime(_) => false,
     };
     let is_squared = equation.roots().iter().any(holds);
-    let cleared = without_common_factor(&clear(equation, &[unknown]).ok()?, unknown);
+    let cleared = clear(equation, &[unknown]).ok()?;
+    let (shared, rest) = without_common_factor(&cleared);
+    // What holds the unknown is part of the equation.
+    let cleared = if shared.degree(unknown) > 0 { cleared } else { rest };
     let cleared = match cleared.as_quotient() {
         Some((polynomial, _)) => Value::quotient(polynomial.primitive(), Polynomial::one()),
         None => cleared,
@@ -103,12 +106,18 @@ pub(super) fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, 
             let (_, factors) = polynomial.square_free();
             factors.into_iter().map(|(factor, _)| Value::quotient(factor, Polynomial::one())).collect()
         }
-        None => vec![without_common_factor(equation, unknown)],
+        None => {
+            let (shared, rest) = without_common_factor(equation);
+            let (_, shared) = shared.square_free();
+            let whole = shared.into_iter().map(|(factor, _)| Value::quotient(factor, Polynomial::one()));
+            whole.filter(|factor| factor.has_letter(|letter| *letter == unknown)).chain([rest]).collect()
+        }
     };
     let mut roots: Vec<Value> = Vec::new();
     let mut left_over = None;
-    for factor in factors {
-        match roots_of_factor(coefficients(&factor, unknown)) {
+    let factors = factors.iter().map(|factor| coefficients(factor, unknown)).collect();
+    for factor in coprime(factors) {
+        match roots_of_factor(factor) {
             Ok(found) => {
                 for root in found {
                     if !roots.iter().any(|other| other.equals(&root)) {
@@ -141,15 +150,15 @@ fn without_common_roots(equation: &Value) -> Value {
     Value::build(terms.into_owned().into_iter().map(without).collect(), denominator.into_owned())
 }
 
-/// With surds among the coefficients: what all polynomials share is solved apart from the rest only if
-/// it does not hold the unknown, and then it is no equation at all.
-fn without_common_factor(equation: &Value, unknown: Letter) -> Value {
+/// With surds among the coefficients: what all polynomials share, and the rest.
+fn without_common_factor(equation: &Value) -> (Polynomial, Value) {
     let terms = equation.numerator_terms();
     let shared = terms.iter().fold(Polynomial::zero(), |shared, (_, p)| shared.greatest_common_divisor(p));
-    if shared.degree(unknown) > 0 || shared.is_one() {
-        return equation.clone();
+    let rest = equation.divided_by(&Value::quotient(shared.clone(), Polynomial::one()));
+    match rest {
+        Some(rest) if !shared.is_one() => (shared, rest),
+        _ => (Polynomial::one(), equation.clone()),
     }
-    equation.divided_by(&Value::quotient(shared, Polynomial::one())).unwrap_or_else(|| equation.clone())
 }
 
 impl Value {

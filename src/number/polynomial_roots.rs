@@ -15,10 +15,10 @@ pub(super) fn roots_of_factor(mut coefficients: Vec<Value>) -> Result<Vec<Value>
     coefficients = without_sum_of_squares(coefficients);
     // Roots that are rational, or rational times a square root, leave one after the other.
     while coefficients.len() > 3 && !only_even(&coefficients) {
-        if let Some((shared, rest)) = repeated(&coefficients) {
-            roots.extend(roots_of_factor(shared)?);
-            coefficients = rest;
-            continue;
+        if let Some(factors) = square_free(&coefficients) {
+            let found: Result<Vec<_>, _> = factors.into_iter().map(roots_of_factor).collect();
+            roots.extend(found?.concat());
+            return Ok(roots);
         }
         let Some(root) = simple_root(&coefficients) else { return Err(NoRoots::Degree(coefficients.len() - 1)) };
         coefficients = deflated(&coefficients, &root);
@@ -92,23 +92,84 @@ fn divided(dividend: &[Value], divisor: &[Value]) -> Option<(Vec<Value>, Vec<Val
     Some((quotient, rest))
 }
 
-/// The factor that a polynomial shares with its rate of change, and what is left without it: roots that occur more than
-/// once. Only of coefficients without letters; with letters and without surds the factors were found before.
-fn repeated(coefficients: &[Value]) -> Option<(Vec<Value>, Vec<Value>)> {
+/// The factors that a polynomial has once, twice, three times and so on, if it has any more than once. Only of coefficients
+/// without letters; with letters and without surds the factors were found before.
+fn square_free(coefficients: &[Value]) -> Option<Vec<Vec<Value>>> {
     if !coefficients.iter().all(Value::is_constant) || coefficients.iter().all(|value| value.as_fraction().is_some()) {
         return None;
     }
-    let slope = coefficients.iter().zip(0_i64..).skip(1).map(|(value, power)| value * &Value::from(power));
-    let (mut first, mut second) = (coefficients.to_vec(), slope.collect::<Vec<_>>());
+    let slope = derivative(coefficients);
+    let shared = common_divisor(coefficients.to_vec(), slope.clone())?;
+    if shared.len() < 2 {
+        return None;
+    }
+    // Yun's way: in each round what is left of the polynomial and of its derivative loses the factors of one more power.
+    let (mut left, mut next) = (exactly_divided(coefficients, &shared)?, exactly_divided(&slope, &shared)?);
+    let mut factors = Vec::new();
+    while left.len() > 1 {
+        let rest = difference(&next, &derivative(&left));
+        let factor = common_divisor(left.clone(), rest.clone())?;
+        (left, next) = (exactly_divided(&left, &factor)?, exactly_divided(&rest, &factor)?);
+        if factor.len() > 1 {
+            factors.push(factor);
+        }
+    }
+    Some(factors)
+}
+
+/// Factors with surds that have nothing in common, in place of such as may: what two of them share is a factor by itself, and
+/// shorter than both.
+pub(super) fn coprime(factors: Vec<Vec<Value>>) -> Vec<Vec<Value>> {
+    let has_surds = factors.iter().flatten().any(|value| value.as_fraction().is_none());
+    if factors.len() < 2 || !has_surds || !factors.iter().flatten().all(Value::is_constant) {
+        return factors;
+    }
+    let mut open: Vec<Vec<Value>> =
+        factors.into_iter().flat_map(|factor| square_free(&factor).unwrap_or_else(|| vec![factor])).collect();
+    let mut found: Vec<Vec<Value>> = Vec::new();
+    while let Some(factor) = open.pop() {
+        let split = found.iter().enumerate().find_map(|(place, other)| {
+            let shared = common_divisor(factor.clone(), other.clone()).filter(|shared| shared.len() > 1)?;
+            let rests = [exactly_divided(&factor, &shared)?, exactly_divided(other, &shared)?];
+            Some((place, shared, rests))
+        });
+        match split {
+            Some((place, shared, rests)) => {
+                found.swap_remove(place);
+                open.extend(rests.into_iter().filter(|rest| rest.len() > 1).chain([shared]));
+            }
+            None => found.push(factor),
+        }
+    }
+    found
+}
+
+fn derivative(coefficients: &[Value]) -> Vec<Value> {
+    coefficients.iter().zip(0_i64..).skip(1).map(|(value, power)| value * &Value::from(power)).collect()
+}
+
+fn difference(one: &[Value], other: &[Value]) -> Vec<Value> {
+    let at = |all: &[Value], place: usize| all.get(place).cloned().unwrap_or(Value::ZERO);
+    let mut all: Vec<Value> =
+        (0..one.len().max(other.len())).map(|place| &at(one, place) - &at(other, place)).collect();
+    while all.last().is_some_and(Value::is_zero) {
+        all.pop();
+    }
+    all
+}
+
+fn exactly_divided(dividend: &[Value], divisor: &[Value]) -> Option<Vec<Value>> {
+    divided(dividend, divisor).filter(|(_, rest)| rest.is_empty()).map(|(quotient, _)| quotient)
+}
+
+/// By Euclid, with one for its highest coefficient.
+fn common_divisor(mut first: Vec<Value>, mut second: Vec<Value>) -> Option<Vec<Value>> {
     while !second.is_empty() {
         let (_, rest) = divided(&first, &second)?;
         (first, second) = (second, rest);
     }
-    if first.len() < 2 {
-        return None;
-    }
-    let (rest, nothing) = divided(coefficients, &first)?;
-    nothing.is_empty().then_some((first, rest))
+    let lead = first.last()?.clone();
+    first.iter().map(|coefficient| coefficient.divided_by(&lead)).collect()
 }
 
 /// A rational root, or a rational multiple of one of the square roots among the coefficients.
@@ -171,4 +232,26 @@ fn deflated(coefficients: &[Value], root: &Value) -> Vec<Value> {
         .collect();
     quotient.reverse();
     quotient
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::equation::tests::unknown;
+    use super::super::solve_system;
+    use super::*;
+
+    #[test]
+    fn a_factor_with_surds_that_is_there_twice_leaves_the_rest_to_be_solved() {
+        let (x, value) = unknown("x");
+        let root = |number: i64| Value::from(number).square_root().unwrap();
+        // (x − 2/√3 + √2)⁴ (x − √2)² (x² − √2 x − 1)
+        let line = &(&value - &Value::from(2).divided_by(&root(3)).unwrap()) + &root(2);
+        let square = &(&(&value * &value) - &(&root(2) * &value)) - &Value::ONE;
+        let roots =
+            solve_system(&[&line.power(4).unwrap() * &(&(&value - &root(2)).power(2).unwrap() * &square)], &[x])
+                .unwrap();
+        assert_eq!(roots.len(), 4, "{roots:?}");
+        let double = &Value::from(2).divided_by(&root(3)).unwrap() - &root(2);
+        assert!(roots.iter().any(|found| found[0].equals(&double)));
+    }
 }

@@ -69,9 +69,35 @@ fn cases() -> Vec<(&'static str, Json, &'static str)> {
     ]
 }
 
+/// Angles between two bounds, or with surds in the components.
+fn of_angles() -> Vec<(&'static str, Json, &'static str)> {
+    let sixty = json!({ "speed": "6", "angle_deg": "60" });
+    let mut with_surds = oblique("3", &["0", "0"], "A.after.tan_to_loc > 2");
+    with_surds["masses"]["A"] = "2".into();
+    with_surds["before"] = json!({ "A": sixty, "B": { "speed": "4", "angle_deg": "150" } });
+    vec![
+        ("turned through more than a right angle", oblique("5", &["4", "3"], "A.deflection_deg > 90"), "7/8 < e <= 1"),
+        ("an angle with the line", oblique("5", &["4", "2"], "A.after.angle_to_loc_deg < 45"), "4/5 < e <= 1"),
+        (
+            "an angle on either side of a right one",
+            oblique("2", &["3", "1"], "60 <= A.after.angle_to_loc_deg"),
+            "1/2 - sqrt(3)/6 <= e <= 1/2 + sqrt(3)/6",
+        ),
+        ("a tangent of surds", with_surds, "0 <= e < 5*sqrt(3)/6 - 1"),
+    ]
+}
+
+/// A of mass 1 strikes B at rest.
+fn oblique(mass: &str, before: &[&str; 2], condition: &str) -> Json {
+    json!({
+        "masses": { "A": "1", "B": mass }, "before": { "A": before, "B": ["0", "0"] }, "line_of_centres": ["1", "0"],
+        "sense": "A_to_B", "e": "e", "symbols": { "e": "unit" }, "unknowns": ["e"], "conditions": [condition]
+    })
+}
+
 #[test]
 fn carom_knows_from_where_to_where() {
-    for (name, scene, expected) in cases() {
+    for (name, scene, expected) in cases().into_iter().chain(of_angles()) {
         let solution = solve(read(&scene), &[]).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
         let values = solution.range().unwrap_or_else(|| panic!("{name}"));
         let written = print::plain(&values.written());
@@ -170,7 +196,7 @@ fn carom_says_why_there_is_no_range() {
     assert_eq!(refusal("A.after.x > 10"), "the conditions hold for no value of e");
     // B has 2(1 + e) after, which is at most 4.
     assert_eq!(refusal("B.after.x >= 4"), "the conditions hold for one value of e alone, 1");
-    assert!(refusal("A.after.angle_to_loc_deg > 10").contains("angle"), "{}", refusal("A.after.angle_to_loc_deg > 10"));
+    assert!(refusal("A.after.angle_from_n_deg > 10").contains("angle"), "{}", refusal("A.after.angle_from_n_deg > 10"));
     // A has 2 - 3e after.
     let mut of_k = with("e", "A.after.x > k");
     of_k["symbols"]["k"] = "positive".into();
