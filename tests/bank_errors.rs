@@ -114,6 +114,7 @@ fn one_slip_of_the_pen_is_one_fault() {
         "not-equal-misspelt",
         "parameters-misspelt",
         "quotes-forgotten",
+        "reference-missing",
         "rule-of-acceptance-that-is-none",
         "second-component-tested",
         "stem-never-closed",

@@ -164,7 +164,7 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
     file.scene = keys.get("scene").and_then(|value| SceneFile::read(value, faults));
     keys.demand("part", "[[part]]");
     file.parts = keys.tables("part", "a part", faults).into_iter().map(|keys| part(keys, faults)).collect();
-    keys.demand("reference", "[reference]");
+    keys.demand("reference", &reference_example(&file));
     if let Some(value) = keys.get("reference") {
         file.reference = strings("`reference`", value, faults);
         file.reference_span = Some(value.span());
@@ -175,6 +175,24 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
     file.tests = keys.tables("test", "a test", faults).into_iter().map(|keys| test(keys, faults)).collect();
     keys.finish(faults);
     (!faults.is_unread).then_some(file)
+}
+
+/// The heading of the reference numbers, and which of them there must be; it stands between backticks.
+fn reference_example(file: &QuestionFile) -> String {
+    let of_style = file.styles.first().into_iter().flat_map(|style| &style.parameters);
+    let mut names: Vec<&str> = Vec::new();
+    for (name, _) in file.parameters.iter().chain(of_style) {
+        if !names.contains(&name.get_ref().as_str()) {
+            names.push(name.get_ref());
+        }
+    }
+    match names.as_slice() {
+        [] => "[reference]".to_owned(),
+        [only] => format!("[reference]` with a value for `{only}"),
+        [first @ .., last] => {
+            format!("[reference]` with a value for each of {} and `{last}", document::listed(first))
+        }
+    }
 }
 
 fn test(mut keys: Keys, faults: &mut Faults) -> TestFile {
