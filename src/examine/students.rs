@@ -252,7 +252,9 @@ fn worked(printed: &PrintedQuestion, question: &KeyedQuestion) -> Student {
         // What the working does not say in an equation it says in the answer.
         let answer = |(blank, answer): (&KeyedBlank, &PrintedAnswer)| {
             let own = shown.filter(|_| blank.model.kind == Kind::Shown).or(answer.exact.as_ref());
-            Some((Some(blank.name.clone()), print::unicode(own?)))
+            // Of a direction the page may say in words what it is.
+            let said = || Some(print::text_unicode(&answer.phrase)).filter(|phrase| !phrase.is_empty());
+            Some((Some(blank.name.clone()), own.map(print::unicode).or_else(said)?))
         };
         let answers = keyed.blanks.iter().zip(&part.answers).filter_map(answer).collect();
         PartScript { label: part.label.clone(), answers, working: lines.collect() }
