@@ -632,9 +632,11 @@ fn an_answer_for_which_nobody_asks_is_named() {
 
 #[test]
 fn what_students_earn_is_told_with_their_numbers_and_what_to_try() {
-    // A goes off at right angles, and nobody has a tangent to write down.
-    let (_, said) = checked("no-tangent", "rest/speeds-and-directions", &[("  \"kA >= 1/8\",\n", "")]);
-    let words = "the mark A1f is not given for the model solution: `90°`, with mA = ";
+    // B moves along the line of centres, and nobody works that out.
+    let of_b = ("{ code = \"A1\", for = \"A.after.n\", text", "{ code = \"A1\", for = \"direction B\", text");
+    let (_, said) = checked("no-direction", "rest/speeds-and-directions", &[of_b]);
+    let words =
+        "the mark A1c is not given for right answers in exact form: `4√39/9 | arctan(3√3/5) | 16√3/9 | 0`, with mA = ";
     assert!(said.contains(words), "no `{words}` in\n{said}");
     let edits = [("A.after.x < 0", "A.after.x > 0"), ("is reversed", "is not changed"), ("mA < mB", "mA = mB")];
     let (_, said) = checked("end", "ranges/direction-reversed", &edits);
