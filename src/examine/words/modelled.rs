@@ -46,7 +46,13 @@ fn described(said: &[Sentence], nouns: &[&str]) -> Option<(String, bool)> {
     let are_smooth = |sentence: &Sentence| {
         let at =
             sentence.windows(2).position(|pair| is_one_of(&pair[0], &["is", "are"]) && is_one_of(&pair[1], &TOUCHED));
-        at.is_some_and(|at| says(&sentence[..at], nouns))
+        // `Both are smooth`, `*A* and *B* are smooth`: neither is a plane.
+        let of_spheres = |words: &[Token]| {
+            nouns == SPHERES
+                && (says(words, &["both", "they", "all"])
+                    || words.iter().any(|token| matches!(token, Token::Sphere(_))))
+        };
+        at.is_some_and(|at| says(&sentence[..at], nouns) || of_spheres(&sentence[..at]))
     };
     let is_smooth = is_smooth || said.iter().any(are_smooth);
     let Token::Word(first) = first else { return None };
@@ -127,8 +133,9 @@ mod tests {
     fn what_the_scene_takes_to_be_so_is_said() {
         let (rest, wall, direct) =
             ("rest/speeds-and-directions", "walls/rebound-speed-and-direction", "direct/velocities-after-impact");
-        let table: [(&str, Edits, &str); 15] = [
+        let table: [(&str, Edits, &str); 16] = [
             (rest, &[], ""),
+            (rest, &[("smooth uniform", "uniform"), ("The spheres have", "Both are smooth and have")], ""),
             (rest, &[("smooth uniform sphere", "uniform sphere")], "that the spheres are smooth"),
             (rest, &[("smooth uniform", "uniform"), ("have equal", "are smooth and have equal")], ""),
             (rest, &[("smooth horizontal", "horizontal")], "that the plane is smooth"),

@@ -310,7 +310,10 @@ fn leads_on(sentence: &[Token], at: usize) -> bool {
     let is_of_next = sentence.get(at + 1).is_some_and(|next| is_one_of(next, &MEETS));
     let has_number =
         || (at..sentence.len()).any(|at| matches!(sentence[at], Token::Number(..)) && is_of_motion(sentence, at));
-    is_joined && (is_of_next || has_number())
+    // `And, after rebounding from it, hits the second wall`
+    let is_ended = || sentence[at..].contains(&Token::Comma);
+    let is_of_deed = matches!(sentence.get(at + 1), Some(Token::Word(deed)) if deed.ends_with("ing")) && is_ended();
+    is_joined && (is_of_next || is_of_deed || has_number())
 }
 
 /// Is a number a speed, a velocity or an angle?

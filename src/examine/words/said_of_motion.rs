@@ -169,6 +169,15 @@ impl Seen<'_> {
         let tells = |words: &&Sentence| says(words, &RESTS) || words.windows(2).any(is_still);
         let said: Vec<&Sentence> = sentences.iter().filter(tells).collect();
         let is_of_all = said.iter().any(|words| says(words, &["both", "they", "others", "all", "each", "spheres"]));
+        // `All three are at rest until *A* is projected`
+        let are_all = |words: &&Sentence| {
+            let begun = words.iter().take_while(|token| !is_one_of(token, &RESTS));
+            begun.clone().all(|token| !matches!(token, Token::Sphere(_)))
+                && begun.into_iter().any(|token| is_one_of(token, &["all", "both", "each", "they"]))
+        };
+        if said.iter().any(are_all) {
+            return;
+        }
         let is_said = |sphere: Sphere| {
             let is_named = said.iter().any(|words| words.contains(&Token::Sphere(sphere)));
             !said.is_empty() && (resting.len() == 1 || is_named)
@@ -263,6 +272,18 @@ mod tests {
                 "the words do not say that `*C*` is at rest",
             ),
             ("successive/three-in-a-line", "Spheres *B* and *C* are at rest", "The others are at rest", ""),
+            (
+                "successive/three-in-a-line",
+                "Spheres *B* and *C* are at rest",
+                "All three are at rest until *A* is projected",
+                "",
+            ),
+            (
+                "successive/three-in-a-line",
+                "Spheres *B* and *C* are at rest",
+                "Sphere *B* is at rest, as they all see",
+                "the words do not say that `*C*` is at rest",
+            ),
             (
                 "rest/speeds-and-directions",
                 ", which is at rest on the plane",

@@ -40,7 +40,8 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, help));
                 continue;
             }
-            let (Some(said), Some(has)) = (self.number(expr), self.coefficient_between(&before[between..])) else {
+            let of = of_another_wall(before).unwrap_or_else(|| before[between..].to_vec());
+            let (Some(said), Some(has)) = (self.number(expr), self.coefficient_between(&of)) else {
                 continue;
             };
             // Two that meet more than once have one coefficient, unless the words tell their impacts apart.
@@ -148,6 +149,22 @@ impl Seen<'_> {
     }
 }
 
+/// `With the first wall it is {e} and with the second it is {f}`: what is said of the last number, and the wall that goes
+/// without saying.
+fn of_another_wall(before: &[Token]) -> Option<Vec<Token<'static>>> {
+    let last = before.iter().rposition(|token| matches!(token, Token::Number(..)))?;
+    let (told, own) = (&before[..last], &before[last + 1..]);
+    let nth = own.iter().position(|token| ordinal(token).is_some() || is_one_of(token, &["other"]))?;
+    let is_of_wall =
+        says(told, &WALLS) && !says(own, &WALLS) && !own.iter().any(|token| matches!(token, Token::Sphere(_)));
+    let word = match &own[nth] {
+        Token::Word(word) if word == "other" => "second".to_owned(),
+        Token::Word(word) => word.clone(),
+        _ => return None,
+    };
+    is_of_wall.then(|| vec![Token::Word(word), Token::Word("wall".to_owned())])
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::said_tests::assert_said;
@@ -184,6 +201,18 @@ mod tests {
                 "the first wall is {e}, and that between *A* and the second wall is {f}",
                 "the first wall is {f}, and that between *A* and the second wall is {e}",
                 "the coefficient of restitution `e` where the scene gives it",
+            ),
+            (
+                "successive/corner",
+                "between *A* and the first wall is {e}, and that between *A* and the second wall is {f}",
+                "with the first wall is {e} and with the second it is {f}",
+                "",
+            ),
+            (
+                "successive/corner",
+                "between *A* and the first wall is {e}, and that between *A* and the second wall is {f}",
+                "with the second wall is {f} and with the first it is {f}",
+                "the coefficient of restitution `f` where the scene gives it",
             ),
             (
                 "direct/restitution-from-one-speed",

@@ -38,7 +38,24 @@ fn sentences_of_other_teachers_contradict_nothing() {
     let again = "rest/components-of-each-velocity";
     let heavier = "rest/heavier-sphere-struck";
     let struck = "rest on a smooth horizontal plane when it is struck by *A*, which is moving on the plane.";
-    let table: [(&str, Edits, &str); 20] = [
+    let (second, angle) = ("successive/second-collision", "successive/walls-at-an-angle");
+    let table: [(&str, Edits, &str); 22] = [
+        (
+            second,
+            &[(
+                "Sphere *A* is moving with speed {u m/s} along",
+                "*A* is on the other side of *B* from the wall, and is moving with speed {u m/s} along",
+            )],
+            "",
+        ),
+        (
+            angle,
+            &[(
+                "The velocity of *A* is {[x, y] m/s} when it strikes the first wall; then it strikes the\nsecond.",
+                "It comes with velocity {[x, y] m/s} to the first wall and, after rebounding from it, hits the second wall.",
+            )],
+            "",
+        ),
         (
             rest,
             &[("*A*, of mass {mA kg}, is moving", "*A*, of mass {mA kg}, is at rest")],

@@ -336,7 +336,7 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
     for (at, token) in before.iter().enumerate().rev() {
         let leads = |at: usize| before[..at].iter().rev().find(|token| !is_one_of(token, &BEFORE_A_NAME));
         // `in front of *A*`, `ahead of *A*` and `equals that of *A*`, but `the speed of *A*`.
-        let is_ahead = matches!(&before[..at], [.., Word(place), Word(of)] if of == "of" && ["front", "ahead", "that"].contains(&place.as_str()));
+        let is_ahead = matches!(&before[..at], [.., Word(place), Word(of)] if of == "of" && ["front", "ahead", "that", "side"].contains(&place.as_str()));
         let is_object = is_ahead || leads(at).is_some_and(|token| is_one_of(token, &OBJECT));
         match token {
             Token::Sphere(_) if matches!(leads(at), Some(Token::Sphere(_))) => return None,
