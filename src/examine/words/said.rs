@@ -20,7 +20,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
         let (mut is_later, mut is_struck, mut before) = (is_asked, is_asked, None);
         for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
             let known = findings.len();
-            seen.numbers(&sentence, before, &mut is_later, &mut findings);
+            seen.numbers(&sentence, (before, is_struck), &mut is_later, &mut findings);
             before = only_subject(&sentence).or(before.filter(|_| speaks_of_it(&sentence)));
             seen.parallel(&sentence, &mut findings);
             seen.equations(&sentence, &mut findings);
@@ -144,8 +144,14 @@ impl<'v> Seen<'v> {
     }
 
     /// Masses, speeds, velocities and angles of spheres that are named, or of `it`: the sphere of which alone the sentence
-    /// before has spoken.
-    fn numbers(&self, sentence: &Sentence, before: Option<Sphere>, is_later: &mut bool, findings: &mut Vec<Finding>) {
+    /// before has spoken. Has something been struck in the sentences before, what happens `then` comes after that.
+    fn numbers(
+        &self,
+        sentence: &Sentence,
+        (before, is_struck): (Option<Sphere>, bool),
+        is_later: &mut bool,
+        findings: &mut Vec<Finding>,
+    ) {
         for (place, token) in sentence.iter().enumerate() {
             // `The first wall is parallel to {i} and the second to {j}` tells of no impact.
             let is_told = !is_one_of(token, &["second"]) || says(sentence, &STRUCK);
@@ -157,7 +163,10 @@ impl<'v> Seen<'v> {
             if noun != Noun::Mass && *is_later && !self.question.scene.then.is_empty() {
                 continue;
             }
-            let moment = moment(sentence, place);
+            let moment = match told(sentence, place) {
+                None if is_struck && then_moves(&sentence[..place]) => Moment::After,
+                _ => moment(sentence, place),
+            };
             if noun == Noun::Speed && self.is_to_be_shown(expr, sphere) {
                 continue;
             }
@@ -276,6 +285,16 @@ const AFTERWARDS: [&str; 8] =
 
 /// Words of motion that go before `off`.
 const MOVES: [&str; 5] = ["moves", "move", "moving", "goes", "going"];
+
+/// `*A* then moves with speed {v}`
+fn then_moves(before: &[Token]) -> bool {
+    let moves = |token: &Token| is_one_of(token, &MOVES) || is_one_of(token, &["has", "travels", "travelling"]);
+    let is_said = |pair: &[Token]| {
+        (is_one_of(&pair[0], &["then", "now"]) && moves(&pair[1]))
+            || (is_one_of(&pair[1], &["then"]) && is_one_of(&pair[0], &["is"]))
+    };
+    before.windows(2).any(is_said)
+}
 
 /// Words of an impact that comes next.
 const MEETS: [&str; 6] = ["strikes", "strike", "hits", "collides", "collide", "meets"];

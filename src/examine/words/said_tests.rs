@@ -39,7 +39,17 @@ fn sentences_of_other_teachers_contradict_nothing() {
     let heavier = "rest/heavier-sphere-struck";
     let struck = "rest on a smooth horizontal plane when it is struck by *A*, which is moving on the plane.";
     let (second, angle) = ("successive/second-collision", "successive/walls-at-an-angle");
-    let table: [(&str, Edits, &str); 22] = [
+    let energy = "i-j/energy-lost";
+    let velocities = "They are moving on a smooth\nhorizontal plane when they collide. Immediately before the collision the \
+                      velocity of *A* is {[ax, ay] m/s} and the velocity\nof *B* is {[bx, by] m/s}.";
+    let in_turn = "*A*, moving with velocity {[ax, ay] m/s}, collides with *B*, moving with velocity {[bx, by] m/s}.";
+    let crossed = "*A*, moving with velocity {[bx, by] m/s}, collides with *B*, moving with velocity {[bx, by] m/s}.";
+    let rebounds = "They collide directly and each of them rebounds: *A* then moves with speed {vA}, and *B* is then moving \
+                    with speed {vB}.";
+    let table: [(&str, Edits, &str); 25] = [
+        (energy, &[(velocities, in_turn)], ""),
+        (energy, &[(velocities, crossed)], "give `*A*` the velocity `[bx, by]`"),
+        (old, &[(each, rebounds)], ""),
         (
             second,
             &[(

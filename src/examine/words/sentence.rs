@@ -348,6 +348,7 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
                 let is_described = before[at..].windows(2).any(|pair| {
                     is_one_of(&pair[1], &["which", "that"]) && !is_one_of(&pair[0], &["direction", "line", "path"])
                 });
+                let is_described = is_described || is_told_of_in_turn(before, at);
                 match in_row {
                     true => return None,
                     false
@@ -366,6 +367,18 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
         }
     }
     None
+}
+
+/// `*A*, moving with velocity {u}, collides with *B*, moving with velocity`: two in turn, each with what is said of it behind
+/// its name.
+fn is_told_of_in_turn(before: &[Token], at: usize) -> bool {
+    let moves = |name: usize| match &before[name + 1..] {
+        [Comma, moving, ..] => is_one_of(moving, &["moving", "travelling", "sliding", "rolling", "going"]),
+        _ => false,
+    };
+    let is_first = |name: usize| matches!(before[name], Token::Sphere(_)) && moves(name);
+    let is_last = !before[at + 1..].iter().skip(1).any(|token| *token == Comma);
+    moves(at) && is_last && (0..at).any(is_first)
 }
 
 /// `Strikes *B*, which is at rest, with speed`: is what was said of the sphere before over, and its striker spoken of again?

@@ -313,6 +313,18 @@ fn tells_of_a_right_angle(sentence: &[Token]) -> bool {
     sentence.windows(2).any(is_pair)
         || sentence.iter().any(is_ninety_degrees)
         || (says(sentence, &["perpendicular"]) && !says(sentence, &OTHERS))
+        || (0..sentence.len()).any(|at| is_across_the_old_way(&sentence[at..]))
+}
+
+/// `Perpendicular to its original path`
+fn is_across_the_old_way(words: &[Token]) -> bool {
+    const LEADING: [&str; 8] = ["to", "its", "the", "original", "old", "initial", "former", "previous"];
+    let Some((first, rest)) = words.split_first() else { return false };
+    let lead = rest.iter().take_while(|token| is_one_of(token, &LEADING));
+    let way = rest.get(lead.clone().count());
+    is_one_of(first, &["perpendicular"])
+        && lead.clone().count() > 2
+        && way.is_some_and(|way| is_one_of(way, &["path", "direction", "course"]))
 }
 
 fn is_ninety_degrees(token: &Token) -> bool {
@@ -388,7 +400,8 @@ mod tests {
         let oblique = "ranges/turned-back-by-an-oblique-impact";
         let away = "After the collision the component of the velocity of *A* along the line of centres is directed away from *B*. Find";
         let across = ("conditions      = [\"A.after.n < 0\"]", "conditions = [\"A.after.n = 0\"]");
-        let table: [(&str, Edits, &str); 38] = [
+        let table: [(&str, Edits, &str); 39] = [
+            (wall, &[(turn, "Once it has left the wall its path is perpendicular to its original path.")], ""),
             (oblique, &[across, single, (away, "*A* then moves along the common tangent. Find")], ""),
             (oblique, &[across, single, (away, "Its new path makes {90 deg} with the line of centres. Find")], ""),
             (oblique, &[across, single, (away, "Find")], "a sphere that goes on perpendicular to the line of centres"),
