@@ -9,7 +9,7 @@ use crate::answer::Accept;
 use crate::bank::{Code, EarnedFor, Find, Mark, Part, Question};
 use crate::examine::Finding;
 use crate::expr::{Text, print};
-use crate::mechanics::Quantity;
+use crate::mechanics::{Moment, Quantity, Sphere, VelocityText};
 use crate::number::Places;
 
 /// Marks whose words are of another value than the one they are for.
@@ -20,6 +20,7 @@ pub fn of_another_value(question: &Question) -> Vec<Finding> {
         for (row, mark) in part.marks.iter().enumerate() {
             let found = of_another_thing(mark)
                 .or_else(|| typed(mark))
+                .or_else(|| given(question, mark))
                 .or_else(|| other_figures(question, part, mark))
                 .or_else(|| other_sign(question, mark))
                 .or_else(|| nothing_to_follow(mark, is_value_before));
@@ -59,6 +60,30 @@ fn of_another_thing(mark: &Mark) -> Option<Finding> {
     let message = format!("the text of the mark {} speaks of `{noun}`, and it is for `{quantity}`", mark.id);
     let help = "say in its `text` what it is for, or mend `for`";
     Some(Finding::new(message, "", "for another value").with_help(help))
+}
+
+/// A value that stands in the scene, and that nobody has to find.
+fn given(question: &Question, mark: &Mark) -> Option<Finding> {
+    let EarnedFor::Quantity(quantity) = mark.earned_for else { return None };
+    let scene = &question.scene;
+    let of = |sphere: Sphere| match sphere {
+        Sphere::A => (scene.before.a.as_ref(), scene.masses.a.as_ref()),
+        _ => (scene.before.b.as_ref(), scene.masses.b.as_ref()),
+    };
+    let is_found = |text: &String| scene.unknowns.iter().any(|unknown| text.contains(unknown));
+    let is_given = match quantity {
+        Quantity::Speed(sphere, Moment::Before) => match of(sphere).0 {
+            Some(VelocityText::Polar(polar)) => !is_found(&polar.speed),
+            Some(VelocityText::Components([x, y])) => x == "0" && y == "0",
+            _ => false,
+        },
+        Quantity::Mass(sphere) => of(sphere).1.is_some_and(|mass| !is_found(mass)),
+        Quantity::Restitution => scene.e.as_ref().is_some_and(|e| !is_found(e)),
+        _ => false,
+    };
+    let message = format!("the mark {} is for `{quantity}`, which is given", mark.id);
+    is_given
+        .then(|| Finding::new(message, "", "nobody has to find it").with_help("name what has to be found with `for`"))
 }
 
 /// `7.5 J`, `awrt 46.1`: right in one variant alone.
@@ -166,8 +191,14 @@ mod tests {
             let said: String = of_another_value(&edited(line, edits)).into_iter().map(|found| found.message).collect();
             assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{more}: {said}");
         }
-        let table: [(&str, Edits, &str); 5] = [
+        let table: [(&str, Edits, &str); 7] = [
             (rest, &[], ""),
+            (
+                rest,
+                &[("\"B1\", for = \"perpendicular\"", "\"B1\", for = \"B.before.speed\"")],
+                "`B.before.speed`, which is given",
+            ),
+            (rest, &[("\"B1\", for = \"perpendicular\"", "\"B1\", for = \"e\"")], "for `e`, which is given"),
             (rest, &[("\"A1\", for = \"momentum\"", "\"A1ft\", for = \"momentum\"")], "none is found before it"),
             ("ranges/direction-reversed", &[], ""),
             (

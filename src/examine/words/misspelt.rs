@@ -5,7 +5,7 @@ use crate::examine::Finding;
 
 /// Words of which questions are made, and from which no other word that might stand there is one letter away: `fraction`
 /// (friction) and `impact` (impart) are left out.
-const WORDS: [&str; 45] = [
+const WORDS: [&str; 49] = [
     "approaches",
     "before",
     "between",
@@ -13,6 +13,7 @@ const WORDS: [&str; 45] = [
     "centres",
     "coefficient",
     "collide",
+    "collides",
     "collision",
     "components",
     "conserved",
@@ -31,6 +32,7 @@ const WORDS: [&str; 45] = [
     "momentum",
     "motion",
     "moving",
+    "obliquely",
     "opposite",
     "parallel",
     "particle",
@@ -38,12 +40,14 @@ const WORDS: [&str; 45] = [
     "question",
     "radius",
     "rebounds",
+    "receives",
     "respectively",
     "restitution",
     "separation",
     "smooth",
     "sphere",
     "spheres",
+    "stationary",
     "surface",
     "tangent",
     "towards",
@@ -144,6 +148,8 @@ mod tests {
             ("imediately", "immediately"),
             ("horizantal", "horizontal"),
             ("colide", "collide"),
+            ("colides", "collides"),
+            ("stationery", "stationary"),
             ("velocites", "velocities"),
             ("paralel", "parallel"),
             ("verticle", "vertical"),

@@ -12,14 +12,24 @@ impl Seen<'_> {
     /// A wall, a third sphere, a sphere at rest or a kind of impact of which the title speaks, and that the scene does not
     /// have.
     pub(super) fn titled(&self, findings: &mut Vec<Finding>) {
-        let title = Text(vec![Piece::Words(self.question.title.clone())]);
+        self.headed("title", &self.question.title, findings);
+        // `Collisions, direct and oblique, with walls or between spheres` is of many questions.
+        let topic = &self.question.topic;
+        if topic.split_whitespace().count() <= MOST_OF_A_TOPIC && !topic.contains([',', '&']) && !has_and(topic) {
+            self.headed("topic", topic, findings);
+        }
+    }
+
+    fn headed(&self, of: &str, heading: &str, findings: &mut Vec<Finding>) {
+        let title = Text(vec![Piece::Words(heading.to_owned())]);
         let all = impacts(&self.question.scene);
         for sentence in sentences(&title) {
             let known = findings.len();
             self.kind(&sentence, findings);
             self.equal_masses(&sentence, findings);
             // Nobody reads a title on a paper.
-            for found in findings.split_off(known) {
+            for mut found in findings.split_off(known) {
+                found.message = found.message.replacen("the words say", &format!("the {of} says"), 1);
                 findings.push(found.as_warning());
             }
             let word = |words: &[&str]| sentence.iter().find(|token| is_one_of(token, words));
@@ -32,7 +42,14 @@ impl Seen<'_> {
                 sentence.windows(2).any(|pair| is_one_of(&pair[0], &["at"]) && is_one_of(&pair[1], &["rest"]));
             // `A is left at rest` is of later.
             let is_of_later = says(&sentence, &["left", "after", "comes", "brought"]);
+            let walls = all.iter().filter(|impact| impact.is_wall).count();
+            let counted = sentence.windows(2).find_map(|pair| {
+                let count = ["two", "three", "four"].iter().position(|count| is_one_of(&pair[0], &[count]))? + 2;
+                (is_one_of(&pair[1], &["walls"]) && count > walls && walls > 0).then_some(&pair[0])
+            });
             let wrong = [
+                counted.map(|at| (at, "of so many walls")),
+                word(&["successive"]).filter(|_| all.len() == 1).map(|at| (at, "of successive impacts")),
                 word(&["wall", "walls"])
                     .filter(|_| !all.iter().any(|impact| impact.is_wall))
                     .map(|at| (at, "of a wall")),
@@ -43,11 +60,20 @@ impl Seen<'_> {
             ];
             for (token, what) in wrong.into_iter().flatten() {
                 let Token::Word(at) = token else { continue };
-                let message = format!("the title speaks {what}, and the scene has none");
-                findings.push(self.finding(message, at, "mend the title, or the scene").as_warning());
+                let has =
+                    if what.starts_with("of so many") || what.ends_with("impacts") { "has fewer" } else { "has none" };
+                let message = format!("the {of} speaks {what}, and the scene {has}");
+                findings.push(self.finding(message, at, &format!("mend the {of}, or the scene")).as_warning());
             }
         }
     }
+}
+
+/// The most words of a topic that says what kind of scene it is.
+const MOST_OF_A_TOPIC: usize = 3;
+
+fn has_and(topic: &str) -> bool {
+    topic.split_whitespace().any(|word| ["and", "or", "with"].contains(&word))
 }
 
 #[cfg(test)]
@@ -66,14 +92,23 @@ mod tests {
                 rest,
                 here,
                 "Direct impact: speeds and directions",
-                "say `direct`, and in the scene the impact is oblique",
+                "the title says `direct`, and in the scene the impact is oblique",
             ),
             (rest, here, "Three spheres: speeds", "the title speaks of three"),
-            (rest, here, "Equal masses: speeds and directions", "say that masses are equal"),
-            (rest, here, "An elastic collision", "say `elastic`"),
+            (rest, here, "Equal masses: speeds and directions", "the title says that masses are equal"),
+            (rest, here, "An elastic collision", "the title says `elastic`"),
             (rest, here, "Speeds, directions and what else there is to know", ""),
-            (direct, there, "Oblique impact: the velocities after", "say `Oblique`".to_lowercase().as_str()),
+            (direct, there, "Oblique impact: the velocities after", "says `Oblique`".to_lowercase().as_str()),
             (direct, there, "A sphere strikes another at rest", "the title speaks of one at rest"),
+            (direct, there, "Successive impacts: the velocities after", "the title speaks of successive impacts"),
+            (direct, "direct impact", "walls", "the topic speaks of a wall"),
+            (direct, "direct impact", "direct and oblique impacts, walls", ""),
+            (
+                "successive/corner",
+                "Two walls in turn: a sphere in a corner",
+                "Three walls in turn",
+                "of so many walls, and the scene has fewer",
+            ),
             (wall, "Oblique impact with a wall: velocities in i and j", "A direct way to velocities in i and j", ""),
         ]
         .map(|(id, from, to, wanted)| (id, from, to, wanted.to_owned()));

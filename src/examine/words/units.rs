@@ -112,7 +112,7 @@ const BY_HAND: [(&str, Unit); 27] = [
 ];
 
 /// Units in which no scene takes a number and no answer is stated.
-const FOREIGN: [&str; 24] = [
+const FOREIGN: [&str; 31] = [
     "grams",
     "gram",
     "g",
@@ -127,6 +127,13 @@ const FOREIGN: [&str; 24] = [
     "km h⁻¹",
     "kph",
     "kilometres per hour",
+    "kilometers per hour",
+    "km per hour",
+    "cm per second",
+    "centimeters per second",
+    "millimetres per second",
+    "mm/s",
+    "feet per second",
     "mph",
     "miles per hour",
     "newtons",

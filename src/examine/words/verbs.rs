@@ -45,6 +45,17 @@ fn verb_after(sentence: &Sentence, subject: &Phrase) -> Option<usize> {
     (is_clause || !has_verb).then_some(at)
 }
 
+/// `Immediately before the collision`, at the beginning of a sentence and without a comma behind it.
+fn is_of_time(opening: &[Token]) -> bool {
+    const IMPACTS: [&str; 4] = ["collision", "impact", "impulse", "collisions"];
+    let rest = match opening {
+        [just, rest @ ..] if is_one_of(just, &["immediately", "just", "shortly", "straight"]) => rest,
+        all => all,
+    };
+    matches!(rest, [before, the, impact]
+        if is_one_of(before, &["before", "after"]) && is_one_of(the, &["the", "this"]) && is_one_of(impact, &IMPACTS))
+}
+
 /// Can what stands at a place be nothing but the subject of a clause?
 fn begins_a_clause(sentence: &Sentence, place: usize, subject: &Phrase, verb: &str) -> bool {
     const OPENING: [&str; 10] = ["that", "when", "if", "where", "while", "whether", "because", "so", "which", "then"];
@@ -66,6 +77,9 @@ fn begins_a_clause(sentence: &Sentence, place: usize, subject: &Phrase, verb: &s
         "while",
     ];
     let Some(before) = place.checked_sub(1) else { return true };
+    if is_of_time(&sentence[..place]) {
+        return true;
+    }
     match &sentence[before] {
         // `*A* and then *B* strike the wall`
         Token::Word(word) if word == "then" => {
