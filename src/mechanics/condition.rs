@@ -58,13 +58,12 @@ fn range_of(quantity: Quantity) -> Option<(i64, i64)> {
 /// difference, but where one is 0 and the other 180 degrees.
 pub(super) fn are_unsigned_angles(condition: &Condition, letters: &dyn Fn(&str) -> Option<Meaning>) -> bool {
     let is_unsigned = |side: &Expr| {
-        if let Expr::Name(name) = side {
-            if let Some((least, _)) = name.text.parse().ok().and_then(range_of) {
-                return least == 0;
-            }
+        let named = if let Expr::Name(name) = side { name.text.parse().ok().and_then(range_of) } else { None };
+        if let Some((least, _)) = named {
+            return least == 0;
         }
         match evaluate(side, letters) {
-            Ok(Meaning::Number(value)) => value.as_fraction().is_some_and(|degrees| is_within(degrees)),
+            Ok(Meaning::Number(value)) => value.as_fraction().is_some_and(is_within),
             Ok(Meaning::Degrees(turn) | Meaning::Angle(turn)) => match turn.rest {
                 None => is_within(&turn.degrees),
                 Some(_) => {
