@@ -26,6 +26,7 @@ mod lines;
 mod marked_laws;
 mod marked_lines;
 mod marked_values;
+mod measured;
 mod misspelt;
 mod modelled;
 mod own_words;

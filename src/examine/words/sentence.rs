@@ -1,7 +1,7 @@
 //! A sentence of a question, token by token, and whose each number in it is.
 
 use crate::expr::{Expr, Piece, Text};
-use crate::mechanics::{Axis, Sphere};
+use crate::mechanics::Sphere;
 use crate::unit::Unit;
 
 /// What a sentence is made of.
@@ -16,6 +16,8 @@ pub enum Token<'t> {
     /// A comma.
     Comma,
 }
+
+pub use super::measured::measured_from;
 
 use Token::{Comma, Number, Word};
 
@@ -187,35 +189,6 @@ fn unnamed(sentence: &[Token], place: usize) -> Option<(usize, Noun)> {
 fn is_of_time(lead: &[Token]) -> bool {
     let last = lead.iter().rev().find(|token| !is_one_of(token, &["the", "this", "an", "receives", "it"]));
     last.is_some_and(|token| is_one_of(token, &["before", "after"]))
-}
-
-/// The axis from which an angle is measured for which these words come next: along the line of centres and the normal to a
-/// wall, or across it, as the tangent at the point of contact is.
-pub fn measured_from(after: &[Token]) -> Option<Axis> {
-    const DESCRIBED: [&str; 10] =
-        ["the", "a", "this", "that", "smooth", "fixed", "vertical", "first", "second", "third"];
-    let (mut is_across, mut is_normal) = (false, false);
-    for (place, token) in after.iter().enumerate().take(10).take_while(|(_, token)| !is_value(token)) {
-        let Word(word) = token else { continue };
-        // `When it hits the wall` measures nothing.
-        let lead = after[..place].iter().rev().find(|token| !is_one_of(token, &DESCRIBED));
-        let is_line = lead.is_some_and(|lead| is_one_of(lead, &["with", "to", "and", "between"]));
-        match word.as_str() {
-            "perpendicular" => is_across = true,
-            "normal" => (is_across, is_normal) = (true, true),
-            "centres" | "centers" => return Some(if is_across { Axis::T } else { Axis::N }),
-            "wall" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
-            "common" => return Some(Axis::T),
-            "tangent" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
-            _ => {}
-        }
-    }
-    is_normal.then_some(Axis::N)
-}
-
-/// Is it a number or formula, and no equation?
-fn is_value(token: &Token) -> bool {
-    matches!(token, Number(expr, ..) if !matches!(expr, Expr::Relation(..)))
 }
 
 /// Whose a number is: the sphere that is named for it.
@@ -412,6 +385,7 @@ pub(in crate::examine) fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t 
 mod tests {
     use super::*;
     use crate::expr::{print, read_markup};
+    use crate::mechanics::Axis;
 
     #[test]
     fn an_angle_is_measured_from_the_line_that_is_named_next() {
