@@ -77,38 +77,10 @@ const OF_TWO_BRACKETS: usize = 3;
 /// A value in letters whose numerator is a product of brackets, and perhaps of roots: `3m(u - w)(1 + e)/(3 + m)`. Of angles the
 /// identities of sines and cosines say more.
 fn in_brackets(value: &Value) -> Option<Expr> {
-    let (terms, below) = value.parts();
-    let (roots, above) = terms.iter().next().filter(|_| terms.len() == 1)?;
-    let is_angle = |letter: &Letter| matches!(letter.range(), Range::Acute | Range::Degrees);
-    if above.terms().len() < OF_TWO_BRACKETS || value.has_letter(is_angle) {
-        return None;
-    }
-    let (number, factors) = above.square_free();
-    let whole = |polynomial: &Polynomial| Value::quotient(polynomial.clone(), Polynomial::one());
-    let (brackets, single): (Vec<_>, Vec<_>) = factors.into_iter().partition(|(factor, _)| factor.terms().len() > 1);
-    if brackets.iter().map(|(_, power)| power).sum::<u32>() < 2 {
-        return None;
-    }
-    let roots = roots.iter().fold(Value::Rational(number), |product, root| &product * &Value::root(root.clone()));
-    let mut outside = single
-        .iter()
-        .fold(roots, |product, (factor, power)| &product * &whole(&factor.power(*power)))
-        .divided_by(&whole(&below))?;
-    let mut brackets: Vec<(Value, u32)> = brackets.iter().map(|(factor, power)| (whole(factor), *power)).collect();
-    // A bracket is positive where that is known; and one of unknown sign takes a minus before the whole away.
-    let turn = |outside: &mut Value, (bracket, power): &mut (Value, u32)| {
-        *bracket = -&*bracket;
-        if *power % 2 == 1 {
-            *outside = -&*outside;
-        }
-    };
-    let is_negative = |(bracket, _): &&mut (Value, u32)| bracket.sign() == Some(Ordering::Less);
-    brackets.iter_mut().filter(is_negative).for_each(|bracket| turn(&mut outside, bracket));
-    if outside.sign() == Some(Ordering::Less) {
-        let is_open = |(bracket, power): &&mut (Value, u32)| bracket.sign().is_none() && power % 2 == 1;
-        brackets.iter_mut().find(is_open).into_iter().for_each(|bracket| turn(&mut outside, bracket));
-    }
-    let product = brackets.iter().map(|(bracket, power)| written(bracket).to_the(i64::from(*power)));
+    let mut product = Brackets::of(value)?;
+    product.turn();
+    let Brackets { outside, brackets } = product;
+    let brackets = brackets.iter().map(|(bracket, power)| written(bracket).to_the(i64::from(*power)));
     let (size, is_negative) = match written(&outside) {
         Expr::Negative(inner) => (*inner, true),
         other => (other, false),
@@ -119,8 +91,54 @@ fn in_brackets(value: &Value) -> Option<Expr> {
         other => (other, Expr::integer(1)),
     };
     let before = if let Expr::Product(factors) = above { factors } else { vec![above] };
-    let size = Expr::product(before.into_iter().chain(product)).over(below);
+    let size = Expr::product(before.into_iter().chain(brackets)).over(below);
     Some(if is_negative { size.negated() } else { size })
+}
+
+/// A value as powers of brackets and what stands outside them.
+struct Brackets {
+    outside: Value,
+    brackets: Vec<(Value, u32)>,
+}
+
+impl Brackets {
+    /// None where there are fewer than two.
+    fn of(value: &Value) -> Option<Brackets> {
+        let (terms, below) = value.parts();
+        let (roots, above) = terms.iter().next().filter(|_| terms.len() == 1)?;
+        let is_angle = |letter: &Letter| matches!(letter.range(), Range::Acute | Range::Degrees);
+        if above.terms().len() < OF_TWO_BRACKETS || value.has_letter(is_angle) {
+            return None;
+        }
+        let (number, factors) = above.square_free();
+        let whole = |polynomial: &Polynomial| Value::quotient(polynomial.clone(), Polynomial::one());
+        let (brackets, single): (Vec<_>, Vec<_>) =
+            factors.into_iter().partition(|(factor, _)| factor.terms().len() > 1);
+        if brackets.iter().map(|(_, power)| power).sum::<u32>() < 2 {
+            return None;
+        }
+        let roots = roots.iter().fold(Value::Rational(number), |product, root| &product * &Value::root(root.clone()));
+        let single = single.iter().fold(roots, |product, (factor, power)| &product * &whole(&factor.power(*power)));
+        let brackets = brackets.iter().map(|(factor, power)| (whole(factor), *power)).collect();
+        Some(Brackets { outside: single.divided_by(&whole(&below))?, brackets })
+    }
+
+    /// Turns brackets round: one is positive where that is known; and one of unknown sign takes a minus before the whole away.
+    fn turn(&mut self) {
+        let Brackets { outside, brackets } = self;
+        let turn = |outside: &mut Value, (bracket, power): &mut (Value, u32)| {
+            *bracket = -&*bracket;
+            if *power % 2 == 1 {
+                *outside = -&*outside;
+            }
+        };
+        let is_negative = |(bracket, _): &&mut (Value, u32)| bracket.sign() == Some(Ordering::Less);
+        brackets.iter_mut().filter(is_negative).for_each(|bracket| turn(outside, bracket));
+        if outside.sign() == Some(Ordering::Less) {
+            let is_open = |(bracket, power): &&mut (Value, u32)| bracket.sign().is_none() && power % 2 == 1;
+            brackets.iter_mut().find(is_open).into_iter().for_each(|bracket| turn(outside, bracket));
+        }
+    }
 }
 
 /// What stands below the line in lowest terms, where its square does and it itself above: of `|x|/x²`, which is `1/|x|`.
