@@ -421,6 +421,8 @@ fn a_scene_that_cannot_be_solved_is_told_what_is_the_matter_with_it() {
     for (scene, said) in [
         (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "too many roots for an exact form"),
         (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "`A.after.x` ≈ 2.37 m/s"),
+        // No energy is lost, and no decimal of it is waited for.
+        (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1""#)), "`ke.lost`\nhelp"),
         (with(line), "there is no `e`"),
         (with(r#", "e": "1/2""#), "there is no `line_of_centres`"),
         (scene(r#"{"A": "1"}"#, r#"["1", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "there is no `masses.B`"),

@@ -12,6 +12,10 @@ use crate::number::{Decimal, Interval, Places, Value, round_certified};
 /// What shows that a quantity exists.
 const BITS: usize = 128;
 
+/// So many settle whatever intervals can settle. Where more would be wanted the number is nought or a tie by itself, as the
+/// energy that is lost at e = 1, and no interval says so however narrow.
+const MOST_BITS: usize = 2048;
+
 /// A quantity that is determined and has no short exact form.
 #[derive(Clone, Debug)]
 pub struct Inexact {
@@ -45,7 +49,8 @@ impl Solution {
         let there = self.in_intervals(BITS, &open);
         let exists = |quantity: &&Quantity| enclosure(&there, **quantity, BITS).is_some();
         let rounded = |quantity| {
-            let enclose = |bits| enclosure(&self.in_intervals(bits, &[quantity]), quantity, bits);
+            let within = |bits| enclosure(&self.in_intervals(bits, &[quantity]), quantity, bits);
+            let enclose = |bits| if bits <= MOST_BITS { within(bits) } else { None };
             round_certified(enclose, |_| false, &Places::SignificantFigures(3)).ok()
         };
         let inexact = |quantity: &Quantity| Inexact { quantity: *quantity, rounded: rounded(*quantity) };

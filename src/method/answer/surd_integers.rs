@@ -11,8 +11,8 @@ pub(in crate::method) struct SurdIntegers;
 
 /// 1, √2, √3 and √6.
 pub(super) fn field() -> Vec<Element> {
-    let [two, three] = [Root::Prime(2), Root::Prime(3)];
-    let roots = [&[][..], &[two.clone()], &[three.clone()], &[two, three]];
+    let both = [2, 3].map(Root::Prime);
+    let roots = [&[][..], &both[..1], &both[1..], &both];
     roots.into_iter().map(|roots| (roots.into(), Vec::new())).collect()
 }
 
