@@ -36,9 +36,9 @@ fn middle(value: &Value) -> [f64; 2] {
     }
 }
 
-/// Is anything left to be worked out? Not in `40/3`, `4√39/9` or `24i + 18j`, but in `7/5.5`.
+/// Is anything left to be worked out? Not in `40/3`, `4√39/9`, `4m` or `24i + 18j`, but in `7/5.5`.
 fn is_unfinished(expr: &Expr) -> bool {
-    let is_root = |factor: &Expr| matches!(factor, Expr::Call(Function::Sqrt, _));
+    let is_one_by_itself = |factor: &Expr| matches!(factor, Expr::Call(Function::Sqrt, _) | Expr::Name(_));
     match expr {
         Expr::Number(_) | Expr::Decimal(_) | Expr::Name(_) => false,
         Expr::Negative(inner) | Expr::Degrees(inner) | Expr::Call(Function::Sqrt, inner) => is_unfinished(inner),
@@ -47,7 +47,8 @@ fn is_unfinished(expr: &Expr) -> bool {
             let is_more = |expr: &Expr| matches!(expr, Expr::Quotient(..) | Expr::Decimal(_));
             [above, below].into_iter().any(|part| is_unfinished(part) || any_within(part, &is_more))
         }
-        Expr::Product(factors) => !factors.iter().any(is_root) || factors.iter().any(is_unfinished),
+        // `4m` is as far as it goes, and `4 × 3` is not.
+        Expr::Product(factors) => !factors.iter().any(is_one_by_itself) || factors.iter().any(is_unfinished),
         Expr::Sum(_) => is_worked(expr),
         _ => true,
     }
