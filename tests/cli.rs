@@ -417,12 +417,17 @@ fn a_scene_that_cannot_be_solved_is_told_what_is_the_matter_with_it() {
         scene(masses, r#"["1", "1"]"#, &format!(r#"{line}, {unknown}, "conditions": ["{condition}"]"#))
     };
     let with = |rest: &str| scene(masses, r#"["1", "1"]"#, rest);
+    const DEGREES: &str = r#"{"masses": {"A": "2", "B": "3"}, "line_of_centres": ["1", "0"], "e": "3/4",
+        "before": {"A": {"speed": "6", "angle_deg": "x"}, "B": {"speed": "6", "angle_deg": "141"}},
+        "symbols": {"x": "acute"}, "unknowns": ["x"], "conditions": ["A.deflection_deg = 40"]}"#;
     let many = r#"{"A": "sqrt(2)+sqrt(3)+sqrt(5)+sqrt(7)", "B": "3"}"#;
     for (scene, said) in [
         (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "too many roots for an exact form"),
         (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "`A.after.x` ≈ 2.37 m/s"),
         // No energy is lost, and no decimal of it is waited for.
         (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1""#)), "`ke.lost`\nhelp"),
+        // That its coefficients have nothing in common with those of its derivative is proved in intervals, not waited for.
+        (DEGREES.to_owned(), "an equation of degree 4"),
         (with(line), "there is no `e`"),
         (with(r#", "e": "1/2""#), "there is no `line_of_centres`"),
         (scene(r#"{"A": "1"}"#, r#"["1", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "there is no `masses.B`"),

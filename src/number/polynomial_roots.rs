@@ -2,7 +2,10 @@
 //! repeated, rational and simple surd roots have been taken out.
 
 use super::equation::{MOST_TERMS, NoRoots};
-use super::{Fraction, Root, Value};
+use super::{Fraction, Interval, Root, Value};
+
+/// Enough for what is left of coefficients of exam questions after Euclid has taken most of them away.
+const PROOF_BITS: usize = 512;
 
 /// The roots for coefficients of the powers 0, 1, 2, …
 pub(super) fn roots_of_factor(mut coefficients: Vec<Value>) -> Result<Vec<Value>, NoRoots> {
@@ -164,12 +167,37 @@ fn exactly_divided(dividend: &[Value], divisor: &[Value]) -> Option<Vec<Value>> 
 
 /// By Euclid, with one for its highest coefficient.
 fn common_divisor(mut first: Vec<Value>, mut second: Vec<Value>) -> Option<Vec<Value>> {
+    if are_coprime(&first, &second) == Some(true) {
+        return Some(vec![Value::ONE]);
+    }
     while !second.is_empty() {
         let (_, rest) = divided(&first, &second)?;
         (first, second) = (second, rest);
     }
     let lead = first.last()?.clone();
     first.iter().map(|coefficient| coefficient.divided_by(&lead)).collect()
+}
+
+/// Have two polynomials nothing in common? Euclid's way in intervals, which proves that at once for nearly all that have not;
+/// exact coefficients with sines of given degrees grow longer with each step. None where intervals do not tell.
+fn are_coprime(first: &[Value], second: &[Value]) -> Option<bool> {
+    let enclosed =
+        |all: &[Value]| all.iter().map(|value| value.enclose_constant(PROOF_BITS)).collect::<Option<Vec<Interval>>>();
+    let (mut first, mut second) = (enclosed(first)?, enclosed(second)?);
+    loop {
+        let lead = second.last().filter(|lead| !lead.contains_zero())?;
+        if second.len() == 1 {
+            return Some(true);
+        }
+        while first.len() >= second.len() {
+            let factor = first.pop()?.checked_div(lead)?;
+            let shift = first.len() + 1 - second.len();
+            for (entry, part) in first[shift..].iter_mut().zip(&second) {
+                *entry = entry.clone() - factor.clone() * part.clone();
+            }
+        }
+        std::mem::swap(&mut first, &mut second);
+    }
 }
 
 /// A rational root, or a rational multiple of one of the square roots among the coefficients.
@@ -236,6 +264,7 @@ fn deflated(coefficients: &[Value], root: &Value) -> Vec<Value> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Direction;
     use super::super::equation::tests::unknown;
     use super::super::solve_system;
     use super::*;
@@ -253,5 +282,31 @@ mod tests {
         assert_eq!(roots.len(), 4, "{roots:?}");
         let double = &Value::from(2).divided_by(&root(3)).unwrap() - &root(2);
         assert!(roots.iter().any(|found| found[0].equals(&double)));
+    }
+
+    #[test]
+    fn intervals_prove_that_polynomials_have_nothing_in_common_and_never_that_they_have() {
+        let tangent = |degrees: &str| {
+            let direction = Direction::degrees(&degrees.parse().unwrap()).unwrap();
+            direction.sin.divided_by(&direction.cos).unwrap()
+        };
+        let root = Value::from(2).square_root().unwrap();
+        let times = |roots: &[&Value]| {
+            roots.iter().fold(vec![Value::ONE], |product, root| {
+                let shifted = std::iter::once(Value::ZERO).chain(product.iter().cloned());
+                let taken = product.iter().map(|entry| -(entry * root)).chain([Value::ZERO]);
+                shifted.zip(taken).map(|(one, other)| &one + &other).collect()
+            })
+        };
+        let (a, b, c) = (tangent("141"), tangent("40"), tangent("17"));
+        for (one, other, said) in [
+            (times(&[&a, &b, &c]), times(&[&root, &Value::ONE]), Some(true)),
+            (times(&[&a, &b, &c, &root]), times(&[&tangent("40.0000001")]), Some(true)),
+            (times(&[&a, &b, &root]), times(&[&c, &b]), None),
+            (times(&[&a, &a]), times(&[&a]), None),
+            (times(&[&a]), Vec::new(), None),
+        ] {
+            assert_eq!(are_coprime(&one, &other), said, "{one:?} and {other:?}");
+        }
     }
 }
