@@ -14,7 +14,7 @@ const BITS: usize = 128;
 
 /// So many settle whatever intervals can settle. Where more would be wanted the number is nought or a tie by itself, as the
 /// energy that is lost at e = 1, and no interval says so however narrow.
-const MOST_BITS: usize = 2048;
+const MOST_BITS: usize = 1024;
 
 /// A quantity that is determined and has no short exact form.
 #[derive(Clone, Debug)]
