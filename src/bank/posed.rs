@@ -75,7 +75,7 @@ impl Opened {
     pub fn as_far_as_determined(self, wanted: &[Quantity]) -> Result<Option<Posed>, Unposed> {
         let Opened { givens, scene, .. } = self;
         let mut solutions = solve_all(Arc::clone(&scene), wanted).map_err(Unposed::Refused)?;
-        let only = solutions.pop().filter(|_| solutions.is_empty());
+        let only = solutions.pop().filter(|only| solutions.is_empty() && only.left().is_empty());
         Ok(only.map(|solution| Posed { givens, scene, solution: Arc::new(solution) }))
     }
 }

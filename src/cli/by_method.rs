@@ -201,7 +201,7 @@ fn evaluated<N: Number>(
 
 fn floats(solution: &Solution, computed: &Known<f64>) -> Result<Quantities, Failure> {
     let degrees = |y: &f64, x: &f64| Some((y.atan2(*x).to_degrees(), None));
-    evaluated(solution, computed, Value::to_f64, |value| (*value, None), degrees)
+    evaluated(solution, computed, |value| solution.left().to_f64(value), |value| (*value, None), degrees)
 }
 
 /// The double next to the middle of each enclosure, and how far it may be off.
@@ -217,7 +217,7 @@ fn enclosed(solution: &Solution, computed: &Known<Interval>) -> Result<Quantitie
         let degrees = (Interval::atan2(y, x)? * half_turn.clone()).checked_div(&Interval::pi(BITS))?;
         Some(number(&degrees))
     };
-    evaluated(solution, computed, |value| value.enclose_constant(BITS), number, degrees)
+    evaluated(solution, computed, |value| solution.left().enclose(value, BITS), number, degrees)
 }
 
 fn turned_into<N: Number>(exact: &Known<Value>, into: impl Fn(&Value) -> Option<N>) -> Option<Known<N>> {

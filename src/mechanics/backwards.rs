@@ -16,13 +16,13 @@ use super::refusal::Refusal;
 use super::root_in_words;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
-use super::unknowns::{in_range, mentions, substituted, with_letters};
+use super::unknowns::{in_range, in_words, mentions, substituted, with_letters};
 use super::validity::{Broken, broken_laws, check, demanding};
 use super::ways::{either_way, of_both_ways};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
-use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
-use crate::number::{Angle, Letter, Range, Root, Value, discriminant_of_squares, solve_system};
+use crate::expr::{Expr, Meaning, Turn, holds, print};
+use crate::number::{Angle, Letter, Range, Value, discriminant_of_squares, solve_system};
 
 /// One solution for the unknowns of a scene.
 #[derive(Clone, Debug)]
@@ -39,6 +39,8 @@ pub struct Found {
     others: Vec<Vec<Value>>,
     /// Where values were put back: what was given then, and all that is known then, which begins with it.
     pub worked: Option<(Known<Value>, Known<Value>)>,
+    /// Are the unknowns letters in the scene still, because their values are too long to be put back?
+    pub are_left: bool,
     /// What they were found from; none where nothing was to be found.
     posed: Option<Arc<Posed>>,
 }
@@ -47,16 +49,23 @@ impl Found {
     /// A scene that is its own only solution.
     pub fn given(scene: Arc<Scene>) -> Found {
         let (values, remarks, others) = (Vec::new(), Vec::new(), Vec::new());
-        Found { scene, values, range: None, remarks, others, worked: None, posed: None }
+        Found { scene, values, range: None, remarks, others, worked: None, are_left: false, posed: None }
     }
 
-    fn from(posed: Arc<Posed>, scene: Scene) -> Found {
+    pub(super) fn from(posed: Arc<Posed>, scene: Scene) -> Found {
         Found { posed: Some(posed), ..Found::given(Arc::new(scene)) }
     }
 
     /// Was there something to be found?
     pub fn is_of_unknowns(&self) -> bool {
         self.posed.is_some()
+    }
+
+    /// The same with the unknowns left letters, for what cannot be written with their values in it.
+    pub fn with_unknowns_left(&self) -> Option<Found> {
+        let values: Vec<Value> = self.values.iter().map(|(_, value)| value.clone()).collect();
+        let left = self.posed.as_ref()?.in_letters(&values).ok()??;
+        Some(Found { remarks: self.remarks.clone(), others: self.others.clone(), ..left })
     }
 
     /// What they were found from.
@@ -170,7 +179,7 @@ fn solved(scene: Scene) -> Result<Vec<Found>, Refusal> {
 }
 
 /// Why a candidate is no solution.
-enum Reason {
+pub(super) enum Reason {
     /// It is none, in words.
     Not(String),
     /// The exact methods do not tell.
@@ -181,18 +190,6 @@ impl From<String> for Reason {
     fn from(reason: String) -> Reason {
         Reason::Not(reason)
     }
-}
-
-/// `e = 1/2`, or for an angle `theta = 30°`.
-fn in_words(unknowns: &[Letter], values: &[Value]) -> String {
-    let one = |(letter, value): (&Letter, &Value)| {
-        let shown = match (letter.range(), Angle::of(value, &Value::ONE)) {
-            (Range::Acute, Some(angle)) => written_angle(&angle),
-            _ => written(value),
-        };
-        format!("{} = {}", letter.name(), print::unicode(&shown))
-    };
-    unknowns.iter().zip(values).map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// A scene derived forwards with its unknowns as letters.
@@ -277,7 +274,7 @@ impl Posed {
     }
 
     /// Does a condition hold at these values, by what was derived in letters? `None` where that is not told.
-    fn holds_at(&self, condition: &Condition, values: &[Value]) -> Option<bool> {
+    pub(super) fn holds_at(&self, condition: &Condition, values: &[Value]) -> Option<bool> {
         let letters = |name: &str| meaning(&self.scene.letters, name);
         residual(condition, &letters, &self.known).ok()?.vanishes_at(&self.scene.unknowns, values)
     }
@@ -331,6 +328,9 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
     for (unknown, value) in unknowns.iter().zip(values) {
         in_range(*unknown, value, &mut remarks)?;
     }
+    if let Some(found) = posed.left_as_letters(values)? {
+        return Ok(found);
+    }
     let scene = substituted(&posed.scene, unknowns, values)
         .ok_or_else(|| Reason::Not("a quantity does not exist there".to_owned()))?;
     let given = pose(&scene).map_err(|refusal| refusal.reason)?;
@@ -372,29 +372,4 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
     }
     let values: Vec<(Letter, Value)> = unknowns.iter().copied().zip(values.iter().cloned()).collect();
     Ok(Found { values, remarks, worked: Some((given, known)), ..Found::from(Arc::clone(posed), scene) })
-}
-
-/// Longer equations would not help a reader.
-pub(super) const MOST_SHOWN: usize = 8;
-
-impl Posed {
-    /// The condition with what was derived put in, where that is short: of angles their tangents.
-    fn condition_in_unknowns(&self, condition: &Condition) -> Option<Expr> {
-        let names = |name: &str| name_of(name, &|name| meaning(&self.scene.letters, name), &self.known);
-        let side = |expr: &Expr| match evaluate(expr, &names).ok()? {
-            Meaning::Number(value) => Some((value, false)),
-            Meaning::Degrees(turn) | Meaning::Angle(turn) => Some((turn.tangent()?, true)),
-            _ => None,
-        };
-        let (left, of_angle) = side(&condition.left)?;
-        let right = match side(&condition.right)? {
-            (value, false) if of_angle => Turn::degrees(value.as_fraction()?.clone()).tangent()?,
-            (_, true) if !of_angle => return None,
-            (value, _) => value,
-        };
-        let nested =
-            |value: &Value| value.roots().iter().filter(|root| matches!(root, Root::Nested { .. })).count() > 1;
-        let short = left.terms() <= MOST_SHOWN && right.terms() <= MOST_SHOWN && !nested(&left) && !nested(&right);
-        short.then(|| Expr::equation(written(&left), written(&right)))
-    }
 }

@@ -2,12 +2,13 @@
 
 use std::cmp::Ordering;
 
-use super::backwards::{Found, MOST_SHOWN, Posed};
+use super::backwards::{Found, Posed};
 use super::conditions_in_words::{in_english, no_roots, without_markup};
 use super::formula::{difference, times};
 use super::law::Known;
 use super::line::Line;
 use super::refusal::Refusal;
+use super::root_in_words::MOST_SHOWN;
 use super::working::Show;
 use super::{Derivation, Quantity, Scene, pose};
 use crate::expr::{Expr, Function, Relation, print, written, written_angle};

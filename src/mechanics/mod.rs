@@ -9,6 +9,7 @@ mod extreme;
 mod formula;
 mod later;
 mod law;
+mod left_as_letters;
 mod line;
 mod meant;
 mod place;

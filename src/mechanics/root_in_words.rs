@@ -3,12 +3,18 @@
 
 use std::cmp::Ordering;
 
-use super::backwards::MOST_SHOWN;
+use super::backwards::Posed;
+use super::condition::{Gap, name_of};
 use super::formula::multiple;
 use super::line::Line;
+use super::scene::Condition;
+use super::scene_reader::meaning;
 use super::working::Show;
-use crate::expr::{Expr, Function, written, written_angle};
-use crate::number::{Angle, Fraction, Letter, Range, Value, collected, solve_system};
+use crate::expr::{Expr, Function, Meaning, Turn, evaluate, written, written_angle};
+use crate::number::{Angle, Fraction, Letter, Range, Root, Value, collected, solve_system};
+
+/// Longer equations would not help a reader.
+pub(super) const MOST_SHOWN: usize = 8;
 
 /// How a letter was found from an equation that must be nought, where it is one equation alone. In other solutions it has
 /// the other values.
@@ -31,6 +37,30 @@ pub(super) fn lines(equation: Option<&Value>, letter: Letter, value: &Value, oth
             let found = is_root.then(|| Expr::equation(base(letter).to_the(2), written(&square)));
             vec![Line::plain("So", with_value(letter, value, found))]
         }
+    }
+}
+
+impl Posed {
+    /// The condition with what was derived put in, where that is short: of angles their tangents.
+    pub(super) fn condition_in_unknowns(&self, condition: &Condition) -> Option<Expr> {
+        let names = |name: &str| name_of(name, &|name| meaning(&self.scene.letters, name), &self.known);
+        // A quotient that takes minutes would not be short.
+        let tangent = |turn: Turn| if turn.dot()?.is_laborious() { None } else { turn.tangent() };
+        let side = |expr: &Expr| match evaluate(expr, &names).ok()? {
+            Meaning::Number(value) => Some((value, false)),
+            Meaning::Degrees(turn) | Meaning::Angle(turn) => Some((tangent(turn)?, true)),
+            _ => None,
+        };
+        let (left, of_angle) = side(&condition.left)?;
+        let right = match side(&condition.right)? {
+            (value, false) if of_angle => Turn::degrees(value.as_fraction()?.clone()).tangent()?,
+            (_, true) if !of_angle => return None,
+            (value, _) => value,
+        };
+        let nested =
+            |value: &Value| value.roots().iter().filter(|root| matches!(root, Root::Nested { .. })).count() > 1;
+        let short = left.terms() <= MOST_SHOWN && right.terms() <= MOST_SHOWN && !nested(&left) && !nested(&right);
+        short.then(|| Expr::equation(written(&left), written(&right)))
     }
 }
 
@@ -89,8 +119,7 @@ fn by_quadratic(
     lines.push(match other.filter(|other| other.is_constant() == value.is_constant()) {
         Some(other) => {
             let root = |value: &Value| Expr::equation(base(letter), written(value));
-            let there = equation.and_then(|equation| equation.substitute(letter, other));
-            let came_in = is_squared && there.is_some_and(|there| !there.is_zero());
+            let came_in = is_squared && equation.is_some_and(|equation| !is_root_of(equation, letter, other));
             let words = match is_solution(other) {
                 true => "So {a} or {b}, both of which are possible; here:".to_owned(),
                 false => format!("So {{a}} or {{b}}, {}:", why(letter, other, came_in)),
@@ -101,6 +130,13 @@ fn by_quadratic(
         None => Line::plain("So", found),
     });
     lines
+}
+
+/// Does it make the equation nought? Of a number an enclosure says so, at once however many roots are in it.
+fn is_root_of(equation: &Value, letter: Letter, value: &Value) -> bool {
+    let gap = Gap { value: equation.clone(), cosine: None };
+    let exactly = || Some(equation.substitute(letter, value)?.is_zero());
+    gap.vanishes_at(&[letter], std::slice::from_ref(value)).or_else(exactly).unwrap_or(true)
 }
 
 fn other_root(coefficients: &[Value], value: &Value) -> Option<Value> {

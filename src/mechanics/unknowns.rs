@@ -108,6 +108,18 @@ pub(super) fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) 
     Some(scene)
 }
 
+/// `e = 1/2`, or for an angle `theta = 30°`.
+pub(super) fn in_words(unknowns: &[Letter], values: &[Value]) -> String {
+    let one = |(letter, value): (&Letter, &Value)| {
+        let shown = match (letter.range(), Angle::of(value, &Value::ONE)) {
+            (Range::Acute, Some(angle)) => written_angle(&angle),
+            _ => written(value),
+        };
+        format!("{} = {}", letter.name(), print::unicode(&shown))
+    };
+    unknowns.iter().zip(values).map(one).collect::<Vec<_>>().join(", ")
+}
+
 /// An unknown must lie in its range; where that depends on other letters it becomes a remark.
 pub(super) fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result<(), String> {
     let name = unknown.name();

@@ -5,16 +5,13 @@
 
 use std::fmt;
 
+use super::left::settled;
 use super::{Answer, Solution};
 use crate::mechanics::{Datum, Derivation, Known, Quantity};
-use crate::number::{Decimal, Interval, Places, Value, round_certified};
+use crate::number::{Decimal, Interval, Places, Value};
 
 /// What shows that a quantity exists.
 const BITS: usize = 128;
-
-/// So many settle whatever intervals can settle. Where more would be wanted the number is nought or a tie by itself, as the
-/// energy that is lost at e = 1, and no interval says so however narrow.
-const MOST_BITS: usize = 1024;
 
 /// A quantity that is determined and has no short exact form.
 #[derive(Clone, Debug)]
@@ -49,9 +46,8 @@ impl Solution {
         let there = self.in_intervals(BITS, &open);
         let exists = |quantity: &&Quantity| enclosure(&there, **quantity, BITS).is_some();
         let rounded = |quantity| {
-            let within = |bits| enclosure(&self.in_intervals(bits, &[quantity]), quantity, bits);
-            let enclose = |bits| if bits <= MOST_BITS { within(bits) } else { None };
-            round_certified(enclose, |_| false, &Places::SignificantFigures(3)).ok()
+            let enclose = |bits| enclosure(&self.in_intervals(bits, &[quantity]), quantity, bits);
+            settled(enclose, &Places::SignificantFigures(3)).ok()
         };
         let inexact = |quantity: &Quantity| Inexact { quantity: *quantity, rounded: rounded(*quantity) };
         open.iter().filter(exists).map(inexact).collect()
@@ -59,7 +55,8 @@ impl Solution {
 
     /// What is known without letters, and what follows of it, in intervals.
     fn in_intervals(&self, bits: usize, asked: &[Quantity]) -> Known<Interval> {
-        let number = |value: &Value| value.enclose_constant(bits);
+        let left = self.left();
+        let number = |value: &Value| left.enclose(value, bits);
         let datum = |datum: &Datum<Value>| {
             Some(match datum {
                 Datum::Number(value) => Datum::Number(number(value)?),

@@ -3,10 +3,12 @@
 mod answer_path;
 mod begun;
 mod inexact;
+mod left;
 mod report;
 
 pub use begun::Begun;
 pub use inexact::Inexact;
+pub use left::Left;
 pub use report::{Answer, Report, StepReport, report};
 
 use std::cmp::Ordering;
@@ -62,22 +64,15 @@ pub fn solve_all(scene: impl Into<Arc<Scene>>, asked: &[Quantity]) -> Result<Vec
 }
 
 fn all_solutions(scene: Arc<Scene>, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
-    let roots = backwards(scene)?;
-    let one = |mut root: Found| -> Result<Solution, Refusal> {
-        let worked = root.worked.take();
-        let is_checked = worked.is_some();
-        let (given, mut known) = match worked {
-            Some(worked) => worked,
-            None => {
-                let given = pose(&root.scene)?;
-                (given.clone(), given)
-            }
-        };
-        let path = answer_path(&mut known, given.0.len());
-        let known = if is_checked { known } else { check_on(&given, known)? };
-        Ok(Solution::of(root, given, path, &known, asked))
+    let one = |root: Found| -> Result<Solution, Refusal> {
+        let solution = Solution::from(root, asked)?;
+        let is_written = solution.found().is_empty() || solution.without_exact_form().is_empty();
+        match if is_written { None } else { solution.root.with_unknowns_left() } {
+            Some(left) => Solution::from(left, asked),
+            None => Ok(solution),
+        }
     };
-    roots.into_iter().map(one).collect()
+    backwards(scene)?.into_iter().map(one).collect()
 }
 
 /// What letters must fulfil, so that in every impact masses are positive, the spheres meet and a coefficient of restitution
@@ -113,6 +108,23 @@ fn needed(scene: &Scene, computed: &Known<Value>) -> Vec<String> {
 }
 
 impl Solution {
+    /// From what was found of its scene.
+    fn from(mut root: Found, asked: &[Quantity]) -> Result<Solution, Refusal> {
+        let worked = root.worked.take();
+        let is_checked = worked.is_some();
+        let (given, mut known) = match worked {
+            Some(worked) => worked,
+            None => {
+                let given = pose(&root.scene)?;
+                (given.clone(), given)
+            }
+        };
+        // Where the unknowns are left letters, all that follows is in them, and no method takes letters for numbers.
+        let path = if root.are_left { None } else { answer_path(&mut known, given.0.len()) };
+        let known = if is_checked { known } else { check_on(&given, known)? };
+        Ok(Solution::of(root, given, path, &known, asked))
+    }
+
     /// From all that is known of it.
     fn of(
         mut root: Found,
@@ -121,14 +133,20 @@ impl Solution {
         computed: &Known<Value>,
         asked: &[Quantity],
     ) -> Solution {
-        root.remarks.extend(needed(&root.scene, computed));
+        if !root.are_left {
+            root.remarks.extend(needed(&root.scene, computed));
+        }
         let mut known = given.clone();
         let (derivation, _) = Derivation::carry_out_with(&mut known, computed, asked);
         Solution { root, asked: asked.to_vec(), given, known, derivation, path }
     }
 
-    /// The same, if all that was asked follows from what is given.
+    /// The same, if all that was asked follows from what is given, in numbers and the letters of the scene.
     fn with_all_asked(self) -> Result<Solution, Refusal> {
+        if !self.left().is_empty() {
+            let found = self.left();
+            return Err(Refusal::beyond(format!("{found} has too many roots to go on from it in exact numbers")));
+        }
         let missing = self.asked.iter().filter(|quantity| !self.knows(**quantity));
         let missing: Vec<String> = missing.map(|quantity| format!("`{quantity}`")).collect();
         if missing.is_empty() {
@@ -179,6 +197,11 @@ impl Solution {
     /// The unknowns of the scene and their values; of an angle the tangent.
     pub fn found(&self) -> &[(Letter, Value)] {
         &self.root.values
+    }
+
+    /// The unknowns that are letters in what follows though their values were found, which are too long to be put in.
+    pub fn left(&self) -> Left<'_> {
+        Left(if self.root.are_left { &self.root.values } else { &[] })
     }
 
     /// The values that an unknown may have, where inequalities leave it a letter.

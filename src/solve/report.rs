@@ -3,10 +3,11 @@
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
-use super::{Inexact, Solution};
-use crate::expr::{Expr, print, ratio, written};
+use super::left::settled;
+use super::{Inexact, Left, Solution};
+use crate::expr::{Expr, in_degrees, print, ratio, written, written_angle};
 use crate::mechanics::{Axis, Line, Moment, Quantity, Sphere};
-use crate::number::{Angle, Decimal, Fraction, Letter, Places, Range, Uncertain, Value, round_certified};
+use crate::number::{Angle, Decimal, Fraction, Letter, Places, Range, Value, round_certified};
 
 /// A solution in the exchange format.
 #[derive(Clone, Debug, Serialize)]
@@ -61,16 +62,16 @@ const ROUNDED: Places = Places::SignificantFigures(3);
 impl Answer {
     /// A quantity of a solution.
     pub fn of(solution: &Solution, quantity: Quantity) -> Option<Answer> {
-        let unit = quantity.unit().plain();
+        let (unit, left) = (quantity.unit().plain(), solution.left());
         if let Some(value) = solution.number(quantity) {
-            let carried_out = Answer::number(&value, unit);
-            let left = if value.is_constant() { None } else { Answer::quotient(solution, quantity) };
+            let carried_out = Answer::number(&value, left, unit);
+            let quotient = if value.is_constant() { None } else { Answer::quotient(solution, quantity) };
             // A quotient of sums of roots with letters is readable where it is left one.
-            let is_short = |left: &Answer| 2 * left.exact.len() < carried_out.exact.len();
-            return Some(left.filter(is_short).unwrap_or(carried_out));
+            let is_short = |quotient: &Answer| 2 * quotient.exact.len() < carried_out.exact.len();
+            return Some(quotient.filter(is_short).unwrap_or(carried_out));
         }
         match solution.angle(quantity) {
-            Some(angle) => Some(Answer::angle(&angle, unit)),
+            Some(angle) => Some(Answer::angle(&angle, left, unit)),
             None => Answer::quotient(solution, quantity),
         }
     }
@@ -108,46 +109,38 @@ impl Answer {
             return None;
         }
         let exact = ratio(&above, &below);
-        let enclose = |bits| above.enclose_constant(bits)?.checked_div(&below.enclose_constant(bits)?);
+        let left = solution.left();
+        let enclose = |bits| left.enclose(&above, bits)?.checked_div(&left.enclose(&below, bits)?);
         let is = |tie: &Fraction| (&above - &(&below * &Value::from(tie.clone()))).is_zero();
         let constant = above.is_constant() && below.is_constant();
-        let round = |places| constant.then(|| text(round_certified(enclose, is, places))).flatten();
-        Some(Answer::from(&exact, &exact, round(&FIGURES), round(&ROUNDED), quantity.unit().plain()))
+        let round = |places: &Places| match constant {
+            true => round_certified(enclose, is, places).ok(),
+            false => settled(enclose, places).ok(),
+        };
+        Some(Answer::from(&exact, &exact, round, quantity.unit().plain()))
     }
 
-    fn number(value: &Value, unit: &'static str) -> Answer {
+    fn number(value: &Value, left: Left, unit: &'static str) -> Answer {
         let exact = written(value);
-        let round = |places| value.is_constant().then(|| text(value.rounded(places))).flatten();
-        Answer::from(&exact, &exact, round(&FIGURES), round(&ROUNDED), unit)
+        Answer::from(&exact, &exact, |places| left.rounded(value, places), unit)
     }
 
-    fn angle(angle: &Angle, unit: &'static str) -> Answer {
-        let shown = crate::expr::written_angle(angle);
-        let constant = angle.is_constant();
-        let round = |places| constant.then(|| text(angle.rounded(places))).flatten();
-        Answer::from(&crate::expr::in_degrees(&shown), &shown, round(&FIGURES), round(&ROUNDED), unit)
+    fn angle(angle: &Angle, left: Left, unit: &'static str) -> Answer {
+        let shown = written_angle(angle);
+        Answer::from(&in_degrees(&shown), &shown, |places| left.rounded_angle(angle, places), unit)
     }
 
-    fn from(
-        exact: &Expr,
-        shown: &Expr,
-        decimal: Option<String>,
-        rounded: Option<String>,
-        unit: &'static str,
-    ) -> Answer {
+    fn from(exact: &Expr, shown: &Expr, round: impl Fn(&Places) -> Option<Decimal>, unit: &'static str) -> Answer {
+        let [decimal, rounded] = [FIGURES, ROUNDED].map(|places| Some(round(&places)?.to_string()));
         Answer { exact: print::plain(exact), latex: print::latex(shown), decimal, rounded, unit }
     }
-}
-
-fn text(decimal: Result<Decimal, Uncertain>) -> Option<String> {
-    decimal.ok().map(|decimal| decimal.to_string())
 }
 
 /// The value of a found letter: a number, or for an acute letter its angle.
 fn found(letter: Letter, value: &Value) -> Answer {
     match (letter.range(), Angle::of(value, &Value::ONE)) {
-        (Range::Acute, Some(angle)) => Answer::angle(&angle, "deg"),
-        _ => Answer::number(value, if letter.name().ends_with(".mass") { "kg" } else { "" }),
+        (Range::Acute, Some(angle)) => Answer::angle(&angle, Left(&[]), "deg"),
+        _ => Answer::number(value, Left(&[]), if letter.name().ends_with(".mass") { "kg" } else { "" }),
     }
 }
 
@@ -168,7 +161,7 @@ pub fn report(solution: &Solution) -> Report {
         quantities.insert(letter.name().to_string(), json!(found(*letter, value)));
     }
     if let Some(values) = solution.range() {
-        let answer = Answer::from(&values.written(), &values.written(), None, None, "");
+        let answer = Answer::from(&values.written(), &values.written(), |_| None, "");
         quantities.insert(values.letter.name().to_string(), json!(answer));
     }
     let (method, geometry, why) = method(solution);
@@ -179,8 +172,22 @@ pub fn report(solution: &Solution) -> Report {
         why,
         quantities,
         steps: [steps(&solution.finding()), steps(&solution.lines())].concat(),
-        remarks: solution.remarks().iter().cloned().chain(without_exact_form(solution)).collect(),
+        remarks: solution
+            .remarks()
+            .iter()
+            .cloned()
+            .chain(in_letters(solution))
+            .chain(without_exact_form(solution))
+            .collect(),
     }
+}
+
+/// That exact forms are in letters that were found.
+fn in_letters(solution: &Solution) -> Option<String> {
+    let left = solution.left();
+    let said =
+        || format!("the value of an unknown is too long to be put in: other exact forms are in its letter, {left}");
+    (!left.is_empty()).then(said)
 }
 
 /// Which quantities are determined and not here, if there are any.

@@ -10,6 +10,7 @@ mod impacts;
 mod judge;
 mod later;
 mod laws;
+mod left_as_letters;
 mod ranges;
 mod scenes;
 mod seed;
