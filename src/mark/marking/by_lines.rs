@@ -36,6 +36,15 @@ pub(super) struct ByLines {
 }
 
 impl ByLines {
+    /// Have no lines said anything, of this part or of those before?
+    pub(super) fn says_nothing(&self) -> bool {
+        let laws = [&self.laws, &self.methods, &self.last, &self.departed];
+        laws.into_iter().all(Vec::is_empty)
+            && self.values.is_empty()
+            && self.wrong.is_empty()
+            && !(self.has_e || self.earned.contains(&true))
+    }
+
     /// With what the lines of the next part show. What is known of the laws holds for one impact only.
     pub(super) fn go_on(self, question: &KeyedQuestion, part: &KeyedPart, examined: &Examined) -> ByLines {
         let awards = &examined.awards;

@@ -44,7 +44,8 @@ pub(super) fn name(
         let Some(readings) = judged.readings.as_ref().filter(|_| is_open) else { continue };
         let behind = || behind(question, part, blank, readings, examined, seen.by_lines);
         // What is on paper belongs to a student, and so does what comes of rounding it.
-        let mut found = match examined.lines.is_empty() && examined.theirs.values.is_empty() {
+        let is_bare = examined.lines.is_empty() && examined.theirs.values.is_empty() && seen.by_lines.says_nothing();
+        let mut found = match is_bare {
             true => judged.causes.get_or_init(behind).clone(),
             false => behind(),
         };
