@@ -49,6 +49,8 @@ notes! {
     ChangeNotLoss, "change-not-loss", "As a change it is negative, so the loss is right.";
     /// A letter that the whole answer is a multiple of is missing.
     LetterMissing, "letter-missing", "Right but for a letter: the answer is a multiple of it.";
+    /// The same, and the sign is not right either.
+    LetterAndSign, "letter-and-sign", "A letter is missing, and the sign is not right either.";
     /// Powers of the letters for masses and speeds are missing, or too many.
     PowersOfLetters, "powers-of-letters", "Right but for powers of its letters: an impulse has a mass and a speed in it, an energy a mass and the square of a speed.";
     /// A letter that the question does not have.

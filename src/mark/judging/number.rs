@@ -132,6 +132,9 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
     if !turned.is_credited() {
         return plain;
     }
+    if turned.note == Some(Note::LetterMissing) {
+        return Finding::wrong(Note::LetterAndSign);
+    }
     let positive = model.known().value().and_then(Value::sign);
     if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) || is_never_negative(model) {
         return Finding::wrong(Note::Sign);

@@ -41,6 +41,8 @@ pub struct Prepared {
     pub(super) decimals: Vec<String>,
     /// The numbers that it gives for masses and velocities.
     pub(super) given_numbers: Vec<Expr>,
+    /// The letters that it gives for speeds.
+    pub(super) letters_of_speeds: Vec<String>,
     /// The velocities with which a later impact begins, as numbers, where the question does not give them.
     pub(super) carried: Vec<Expr>,
     /// What is given for other impacts too.
@@ -110,6 +112,7 @@ impl Prepared {
         let mut speeds: Vec<Letter> = letters_of_speeds.filter(|letter| letter.range() == Range::Positive).collect();
         speeds.sort();
         speeds.dedup();
+        let letters_of_speeds = speeds.iter().map(|letter| letter.name().to_owned()).collect();
         let at_points = |letter: &Letter| (0..points.count).map(|at| points.letter(letter.name(), at)).collect();
         let laws = Laws::of(&given[0], &known, in_components, speeds.iter().filter_map(at_points).collect());
         let speeds_elsewhere = elsewhere.speeds(&points);
@@ -127,6 +130,7 @@ impl Prepared {
             from_distance,
             decimals,
             given_numbers: given_numbers(scene),
+            letters_of_speeds,
             carried: elsewhere.carried(),
             speeds_elsewhere,
             elsewhere,

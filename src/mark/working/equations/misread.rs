@@ -86,6 +86,7 @@ pub(super) fn with_number_misread(
     convention: &Convention,
     prepared: &Prepared,
 ) -> Option<(Matched, Option<Misread>)> {
+    let [left, right] = &[left, right].map(|side| with_ones(side, &prepared.letters_of_speeds));
     let has = |letter: &String| [left, right].iter().any(|side| side.names().iter().any(|name| name.text == *letter));
     let written: Vec<Expr> = [left, right].into_iter().flat_map(numbers).collect();
     if !convention.letters.iter().all(has) || written.len() > MOST_NUMBERS {
@@ -145,6 +146,21 @@ fn without_sign(number: Expr) -> Expr {
     match number {
         Expr::Number(value) if value < Fraction::ZERO => Expr::Number(-value),
         other => other,
+    }
+}
+
+/// The formula with a 1 before each letter for a speed: who writes u for 2u, or 3mu for 3m × 2u, has left the 2 out.
+fn with_ones(expr: &Expr, speeds: &[String]) -> Expr {
+    let is_speed = |expr: &Expr| matches!(expr, Expr::Name(name) if speeds.contains(&name.text));
+    let is_number = |expr: &Expr| matches!(expr, Expr::Number(_) | Expr::Decimal(_));
+    match expr {
+        Expr::Product(factors) if factors.iter().any(is_speed) => {
+            let one = (factors.iter().filter(|factor| is_number(factor)).count() < 2).then(|| Expr::integer(1));
+            let other = |factor: &Expr| if is_speed(factor) { factor.clone() } else { with_ones(factor, speeds) };
+            Expr::Product(one.into_iter().chain(factors.iter().map(other)).collect())
+        }
+        speed if is_speed(speed) => Expr::Product(vec![Expr::integer(1), speed.clone()]),
+        other => other.map_children(&mut |child| with_ones(child, speeds)),
     }
 }
 

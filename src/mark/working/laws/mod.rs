@@ -25,6 +25,7 @@ mod unknown_components;
 mod values;
 mod vector_momentum;
 mod vectors;
+mod wrong_side;
 
 pub(super) use by_components::momentum_by_components;
 pub(super) use cleared::is_of_deflection;

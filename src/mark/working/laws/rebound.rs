@@ -47,6 +47,9 @@ impl Working<'_> {
         if let Some(line) = found.filter(|line| *line <= self.end_of_finding()) {
             return Some(Evidence::given(line, "restitution"));
         }
+        if let Some(wrong) = self.rebound_on_wrong_side() {
+            return Some(wrong);
+        }
         let unresolved = Departure::Unresolved;
         let (note, feedback) = (Some(unresolved.tag()), unresolved.sentence().to_owned());
         Some(Evidence { given: false, note, feedback, ..Evidence::given(self.rebound_of_all()?, "restitution") })

@@ -169,11 +169,13 @@ impl Working<'_> {
     fn are_components(&self, across: &Expr, along: &Expr, sphere: Option<Sphere>) -> bool {
         self.spheres(sphere).into_iter().any(|of| {
             let own = self.theirs.values.contains_key(&Quantity::Velocity(of, Moment::After, Axis::N));
-            // A velocity before that was to be found is the student's own too.
-            let own_before = |axis| self.theirs.values.get(&Quantity::Velocity(of, Moment::Before, axis));
+            // A velocity before that was to be found is as good as one after, right or the student's own.
             let in_i_j = [Axis::X, Axis::Y].map(|axis| {
+                let before = Quantity::Velocity(of, Moment::Before, axis);
                 let mut all = self.sizes_of(of, axis);
-                all.extend(own_before(axis).map(|(values, _)| values.clone()));
+                all.extend(self.theirs.values.get(&before).map(|(values, _)| values.clone()));
+                let is_given = self.prepared.given[0].0.contains_key(&before);
+                all.extend(sizes(&self.prepared.known, before).filter(|_| !is_given));
                 all
             });
             let is = |expr: &Expr, sizes: &[Vec<f64>]| self.is_one_of(expr, sizes) || self.rounds_one_of(expr, sizes);
