@@ -59,7 +59,7 @@ pub(super) fn judged(
             memory.judged(blank, answer, || {
                 // Every blank may look at every line, and nobody else at an answer.
                 let readings = match is_typed {
-                    true => Rc::new(read_answer(answer, &model.vocabulary)),
+                    true => Rc::new(lines.read_answer(answer, &model.vocabulary)),
                     false => lines.read(answer, &model.vocabulary),
                 };
                 Judged::new(verdict(&readings), Rc::unwrap_or_clone(readings).ok())

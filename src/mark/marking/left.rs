@@ -17,7 +17,7 @@ use crate::mark::judging::{Judgement, Note, Verdict, dimension, is_made_of_other
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mark::script::PartScript;
-use crate::mark::working::{Examined, goes_on, typed_lines};
+use crate::mark::working::{Examined, goes_on, is_bare, typed_lines};
 use crate::mechanics::{Moment, Quantity};
 use crate::unit::Unit;
 
@@ -53,6 +53,9 @@ impl<'s> Left<'s> {
         let (number, line) = self.lines.first().filter(|_| self.part.blanks.len() > 1)?;
         let has_method = || (0..self.part.blanks.len()).all(|blank| self.has_method(blank, *number));
         let is_right = |judgement: &Judgement| judgement.verdict == Verdict::Correct;
+        if self.part.blanks.iter().any(|blank| self.is_found_otherwise(blank)) {
+            return None;
+        }
         ((calls_something(line) || has_method()) && judge(line).iter().all(is_right)).then_some(*line)
     }
 
@@ -140,6 +143,9 @@ impl<'s> Left<'s> {
             let is_unit = self.is_lone_value(line) && has_own_unit(blank, statements);
             let is_answer =
                 || has_method || is_root || is_unit || is_end() || statements.iter().any(is_called) || is_begun();
+            if self.is_found_otherwise(blank) && statements.iter().all(is_bare) {
+                return None;
+            }
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
             if !(is_alone && is_result && is_answer()) || is_of_other() {
                 return None;
@@ -246,6 +252,11 @@ impl<'s> Left<'s> {
             Place::Line(number) => Some(number),
             Place::Answer(_) => None,
         }
+    }
+
+    /// Have the lines found another value for the velocity that is asked?
+    fn is_found_otherwise(&self, blank: &KeyedBlank) -> bool {
+        blank.find.quantities().iter().any(|quantity| self.examined.found_otherwise.contains(quantity))
     }
 
     /// Is it called by the letter of the other sphere?

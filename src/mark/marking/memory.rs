@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use super::causes::Found;
+use super::given_masses::GivenMasses;
 use crate::mark::judging::Judgement;
-use crate::mark::key::KeyedBlank;
+use crate::mark::key::{KeyedBlank, KeyedQuestion};
 use crate::mark::reading::{Reading, Said, Unreadable, Vocabulary, read_answer};
 
 /// How many answers are remembered at most; when there are more everything is forgotten.
@@ -24,8 +25,10 @@ pub(in crate::mark) struct Memory {
 }
 
 /// What the lines of a part were read as. Its blanks have the letters of one question, and each may look at every line.
-#[derive(Default)]
-pub(super) struct Lines(RefCell<Vec<Line>>);
+pub(super) struct Lines {
+    read: RefCell<Vec<Line>>,
+    masses: GivenMasses,
+}
 
 struct Line {
     typed: String,
@@ -34,14 +37,26 @@ struct Line {
 }
 
 impl Lines {
+    pub(super) fn of(question: &KeyedQuestion) -> Lines {
+        Lines { read: RefCell::default(), masses: GivenMasses::of(question) }
+    }
+
+    /// Reads an answer; what makes no sense as it stands may have masses by the names of their spheres.
+    pub(super) fn read_answer(&self, typed: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
+        read_answer(typed, vocabulary).or_else(|fault| match self.masses.put_into(typed) {
+            Some(put) => read_answer(&put, vocabulary).map_err(|_| fault),
+            None => Err(fault),
+        })
+    }
+
     pub(super) fn read(&self, typed: &str, vocabulary: &Vocabulary) -> Rc<Result<Vec<Reading>, Unreadable>> {
         let is_it = |line: &&Line| line.typed == typed && line.vectors == vocabulary.vectors;
-        if let Some(line) = self.0.borrow().iter().find(is_it) {
+        if let Some(line) = self.read.borrow().iter().find(is_it) {
             return line.readings.clone();
         }
-        let readings = Rc::new(read_answer(typed, vocabulary));
+        let readings = Rc::new(self.read_answer(typed, vocabulary));
         let line = Line { typed: typed.to_owned(), vectors: vocabulary.vectors, readings: readings.clone() };
-        self.0.borrow_mut().push(line);
+        self.read.borrow_mut().push(line);
         readings
     }
 }

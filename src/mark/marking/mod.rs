@@ -13,6 +13,7 @@ mod components;
 mod decide;
 mod exchanged;
 mod follow;
+mod given_masses;
 mod last_word;
 mod left;
 mod luck;
@@ -126,7 +127,7 @@ fn as_printed(
         let mut handed_in = together(script, &part.label);
         take_derivation(part, &mut handed_in);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
-        let lines = Lines::default();
+        let lines = Lines::of(question);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined, &lines);
         last_word::contradict(question, part, &handed_in, &examined, &lines, &mut answers);
         let read = beside::HandedIn { script: &handed_in, lines: &lines, judged: &judged };

@@ -58,6 +58,8 @@ pub(crate) struct Examined {
     pub(crate) end: Option<End>,
     /// The velocities after the impact that some letter is said to be: another value of it may be of something else.
     pub(crate) found_once: Vec<Quantity>,
+    /// The velocities after the impact of which the lines have found another value, so that the right one has not come from them.
+    pub(crate) found_otherwise: Vec<Quantity>,
 }
 
 /// Of the letters for the velocities of A and B, is it that of the other sphere?
@@ -221,6 +223,7 @@ fn examine_lines(
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
     let (denied, end, found_once) = (working.denied_by_lines(), working.end(), working.found_once());
+    let found_otherwise = working.found_otherwise();
     let finds_exactly = working.finds_exactly();
     let denies_velocities = working.denies_velocities();
     let denies_what_is_found = working.denies_what_is_found();
@@ -256,6 +259,7 @@ fn examine_lines(
         denies_velocities,
         end,
         found_once,
+        found_otherwise,
     }
 }
 

@@ -101,8 +101,10 @@ fn examine_as_begun(
         role: meeting.in_words(&line.role),
         ..line
     });
-    let found_once = examined.found_once.into_iter().map(|found| meeting.quantity(found)).collect();
-    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, found_once, ..examined })
+    let of_meeting = |found: Vec<Quantity>| found.into_iter().map(|found| meeting.quantity(found)).collect();
+    let [found_once, found_otherwise] = [examined.found_once, examined.found_otherwise].map(of_meeting);
+    let (lines, followed, solution) = (lines.collect(), None, None);
+    Some(Examined { lines, theirs, followed, solution, found_once, found_otherwise, ..examined })
 }
 
 /// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
@@ -171,6 +173,7 @@ impl Examined {
             denies_velocities: [false; 2],
             end: None,
             found_once: Vec::new(),
+            found_otherwise: Vec::new(),
         }
     }
 
@@ -322,6 +325,7 @@ impl Examined {
         self.turns.extend(later.turns);
         self.denies_what_is_found &= later.denies_what_is_found;
         self.found_once.extend(later.found_once);
+        self.found_otherwise.extend(later.found_otherwise);
         self.denied.clear();
         (self.denies_velocities, self.end) = ([false; 2], None);
         // Each impact has an e of its own.

@@ -21,6 +21,7 @@ mod prepared;
 mod scaled;
 mod theirs;
 
+pub(super) use denied::is_bare;
 pub(super) use elsewhere::Elsewhere;
 pub(super) use equations::Misread;
 pub(super) use examine::{Examined, has_these_sizes};

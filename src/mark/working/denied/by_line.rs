@@ -43,7 +43,8 @@ struct Formula<'s> {
 impl Working<'_> {
     /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
     pub(in crate::mark::working) fn denied_by_lines(&self) -> Vec<bool> {
-        self.part.blanks.iter().map(|blank| self.is_only_denied(&blank.find)).collect()
+        let is_contact_denied = self.is_contact_denied();
+        self.part.blanks.iter().map(|blank| is_contact_denied || self.is_only_denied(&blank.find)).collect()
     }
 
     fn is_only_denied(&self, find: &Find) -> bool {

@@ -2,12 +2,15 @@
 
 mod at_the_end;
 mod brackets;
+mod by_contact;
 mod by_equations;
 mod by_laws;
 mod by_line;
+mod by_velocity;
 
 pub(crate) use at_the_end::End;
 pub(super) use brackets::bracketed;
+pub(in crate::mark) use by_velocity::is_bare;
 
 use crate::expr::{Expr, Function};
 use crate::mark::working::examine::Value;

@@ -152,14 +152,15 @@ impl Working<'_> {
     }
 
     /// The first line with a member of this value; a bare number does only if the line calls it something.
-    pub(super) fn line_that_is(&self, known: &[Known<f64>], quantity: Quantity) -> Option<usize> {
+    pub(in crate::mark::working) fn line_that_is(&self, known: &[Known<f64>], quantity: Quantity) -> Option<usize> {
         let is_angle = matches!(known[0].0.get(&quantity)?, Datum::Direction { .. });
         let right = sizes(known, quantity)?;
         if right.iter().any(|size| !size.is_finite()) {
             return None;
         }
         let comes = |value: Value, right: f64| match is_angle {
-            true => comes_to_angle(value, right, self.may_be_complement(quantity)),
+            // What moves along the line of centres has no angle with it that anybody would take off 90°.
+            true => comes_to_angle(value, right, right.abs() > 1e-9 && self.may_be_complement(quantity)),
             false if quantity == Quantity::ContactSine => comes_to(value, right) || comes_to(value, right.asin()),
             false => comes_to(value, right),
         };

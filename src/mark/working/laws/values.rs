@@ -6,6 +6,7 @@ use crate::expr::{Expr, Function};
 use crate::mark::judging::{Judgement, Model, Note, Verdict, is_of_a_part, judge, named_spheres};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
+use crate::mark::working::denied::is_bare;
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::examine::{Studied, Value, Working, is_of_other};
 use crate::mark::working::lines::Member;
@@ -44,6 +45,7 @@ impl Working<'_> {
         let is_exact = self.must_be_exact(quantity);
         let mut short: Option<(usize, Judgement)> = None;
         let is_reversed = letter.as_ref().is_some_and(|(_, sign)| *sign < 0.0);
+        let is_found_otherwise = self.found_otherwise().contains(&quantity);
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
             for statement in &reading.statements {
@@ -62,7 +64,7 @@ impl Working<'_> {
                     matches!(named, Some(Expr::Name(name)) if self.is_velocity_of_other(&name.text, quantity));
                 let is_own = matches!(named, Some(Expr::Name(name)) if Some(name.text.as_str()) == own_letter);
                 let is_named = is_named && !is_of_other && !statement.label.as_ref().is_some_and(of_a_part);
-                if !is_named {
+                if !is_named || is_found_otherwise && letter.is_none() && is_bare(statement) {
                     continue;
                 }
                 if let (Some(size), Some(said)) = (size, statement.said.last())
