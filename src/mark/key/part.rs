@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart, motion};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, read_range};
+use crate::expr::{Angles, Expr, read_range};
 use crate::mark::judging::{Model, ModelOptions, is_named};
 use crate::mark::reading::Statement;
 use crate::mark::slips::Asked;
@@ -57,7 +57,9 @@ impl KeyedPart {
     pub(in crate::mark) fn calls(&self, place: usize, statement: &Statement) -> bool {
         let blank = &self.blanks[place];
         if let Find::Unknown(name) = &blank.find {
-            return statement.label.as_ref().is_some_and(|label| label.typed == *name);
+            return statement.label.as_ref().is_some_and(|label| {
+                label.typed == *name || matches!(&label.expr, Some(Expr::Name(own)) if own.text == *name)
+            });
         }
         let mut others = self.blanks.iter().enumerate().filter(|(other, _)| *other != place);
         is_named(&blank.model, statement) && !others.any(|(_, other)| is_named(&other.model, statement))

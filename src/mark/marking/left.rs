@@ -92,6 +92,10 @@ impl<'s> Left<'s> {
             let mut readings = lines.read(line, &blank.model.vocabulary);
             // `KE lost = ½mu² sin²30 = 12`: the question has numbers in place of m and u, and the method is seen.
             let mut ends = if readings.is_err() && may_work_out { name_and_end(line) } else { None };
+            // `t = 0.79, α = 38.3°`: the question has no t.
+            if ends.is_none() && readings.is_err() {
+                ends = self.end_after_own_letters(place, line, lines);
+            }
             // `x = -1, y = 4` after `v = xi + yj`
             let is_vector = blank.model.kind == Kind::Vector && blank.model.vocabulary.vectors;
             ends = ends.or_else(|| is_vector.then(|| put_together(&self.all[..*number])).flatten());
@@ -111,7 +115,9 @@ impl<'s> Left<'s> {
             let is_of_one_angle = || {
                 self.is_only_angle(place) && statements.iter().all(is_of_angle) || is_angle_after_its_ratio(statements)
             };
-            let is_alone = self.part.blanks.len() == 1 || statements.len() == 1 || is_of_one_angle();
+            // `t = 0.79, α = 38.3°`: what stands before it is called nothing that is asked.
+            let last = self.called_last(place, line, statements, lines);
+            let is_alone = last.is_some() || self.part.blanks.len() == 1 || statements.len() == 1 || is_of_one_angle();
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
             let is_result = labels.all(|label| !is_formula(&label.typed) || is_made_of_others(&blank.model, label));
             let is_found = |statement: &Statement| self.is_only_angle(place) && statement.said.iter().any(is_inverse);
@@ -150,7 +156,7 @@ impl<'s> Left<'s> {
             if !(is_alone && is_result && is_answer()) || is_of_other() {
                 return None;
             }
-            let found = judged(ends.as_deref().unwrap_or(line));
+            let found = judged(last.or(ends.as_deref()).unwrap_or(line));
             is_right(&found.judgement).then_some((line, found))
         });
         in_a_line.or_else(|| self.ends_of_range(judged).filter(|_| is_range))
@@ -160,6 +166,34 @@ impl<'s> Left<'s> {
     fn is_lone_value(&self, line: &str) -> bool {
         let is_figures = line.trim_start().starts_with(|sign: char| sign.is_ascii_digit());
         self.part.blanks.len() == 1 && self.all.len() > 1 && is_figures && !line.contains('=')
+    }
+
+    /// The end of a line that is called what is asked, after values of letters of the student's own.
+    fn end_after_own_letters(&self, place: usize, line: &str, lines: &Lines) -> Option<String> {
+        let (before, end) = line.rsplit_once([',', ';'])?;
+        let is_of_letter = |value: &str| {
+            let name = value.split_once('=').map(|(name, _)| name.trim()).unwrap_or_default();
+            name.starts_with(char::is_alphabetic) && name.chars().count() <= 3
+        };
+        let readings = lines.read(end.trim(), &self.part.blanks[place].model.vocabulary);
+        let statements = readings.as_ref().as_ref().ok()?.first().map(|reading| reading.statements.as_slice())?;
+        let is_called = matches!(statements, [one] if self.part.calls(place, one));
+        (is_called && before.split([',', ';']).all(is_of_letter)).then(|| end.trim().to_owned())
+    }
+
+    /// The end of a line of several values of which the last alone is called what is asked.
+    fn called_last<'l>(&self, place: usize, line: &'l str, statements: &[Statement], lines: &Lines) -> Option<&'l str> {
+        let (last, before) = statements.split_last().filter(|(_, before)| !before.is_empty())?;
+        let is_asked = |statement: &Statement| {
+            (0..self.part.blanks.len()).any(|blank| self.part.calls(blank, statement)) || statement.label.is_none()
+        };
+        if before.iter().any(is_asked) || !self.part.calls(place, last) {
+            return None;
+        }
+        let end = line.rsplit([',', ';']).next()?.trim();
+        let readings = lines.read(end, &self.part.blanks[place].model.vocabulary);
+        let own = readings.as_ref().as_ref().ok().and_then(|all| all.first()).map(|reading| &reading.statements);
+        own.is_some_and(|own| *own == [last.clone()]).then_some(end)
     }
 
     /// Does a line end in a letter of which an equation before, there or on the line before, holds for the right value:
@@ -284,7 +318,8 @@ fn is_worked_out(statement: &Statement) -> bool {
         matches!(expr, Expr::Sum(_) | Expr::Power(..) | Expr::Call(..)) || expr.children().into_iter().any(is_more)
     }
     let [first, _, ..] = statement.said.as_slice() else { return false };
-    statement.label.is_none() && matches!(&first.form, Form::Value(expr) if is_more(expr))
+    let is_velocity = |label: &Label| matches!(label.typed.trim(), "v" | "V");
+    statement.label.as_ref().is_none_or(is_velocity) && matches!(&first.form, Form::Value(expr) if is_more(expr))
 }
 
 /// Is it right, if only as coordinates, which not every board takes for a vector?
@@ -306,15 +341,14 @@ fn is_of_angle(statement: &Statement) -> bool {
     is_ratio || statement.said.last().is_some_and(|said| said.unit.as_ref().is_some_and(|unit| unit.degrees))
 }
 
-/// Is it a value in the unit of an angle, an energy or an impulse that is asked, to three figures at least? Of fewer figures, or
-/// of a speed, it may be a value on the way.
+/// Is it a value in the unit of an angle, an energy or an impulse that is asked, to three figures at least? Degrees are often left
+/// out. Of fewer figures, or of a speed, it may be a value on the way.
 fn has_own_unit(blank: &KeyedBlank, statements: &[Statement]) -> bool {
     let [Statement { label: None, said }] = statements else { return false };
-    let [Said { form: Form::Value(Expr::Decimal(figures)), unit: Some(unit), .. }] = said.as_slice() else {
-        return false;
-    };
-    let is_asked = match &blank.find {
-        Find::Quantity(quantity) if quantity.unit() != Unit::MetrePerSecond => {
+    let [Said { form: Form::Value(Expr::Decimal(figures)), unit, .. }] = said.as_slice() else { return false };
+    let is_asked = match (&blank.find, unit) {
+        (Find::Quantity(quantity), None) => quantity.is_angle(),
+        (Find::Quantity(quantity), Some(unit)) if quantity.unit() != Unit::MetrePerSecond => {
             quantity.is_angle() && unit.degrees || dimension(quantity.unit()) == unit.dimension && !unit.degrees
         }
         _ => false,

@@ -373,14 +373,15 @@ fn second(value: &Value) -> Option<Spread> {
     }
 }
 
-/// Is the value the speed that the part asks for, rather than the component?
+/// Is the value the speed that the part asks for, rather than the component? Where all is along one line it is either.
 fn is_asked_speed(part: &KeyedPart, sphere: Sphere, values: &[f64], prepared: &Prepared) -> bool {
-    let speed = Quantity::Speed(sphere, Moment::After);
+    let [speed, along] = [Quantity::Speed(sphere, Moment::After), Quantity::Velocity(sphere, Moment::After, Axis::N)];
     let asked = part.blanks.iter().any(|blank| blank.find.quantities().contains(&speed));
-    let right = sizes(&prepared.known, speed);
-    asked
-        && right
-            .is_some_and(|right| right.iter().zip(values).all(|(right, value)| (right - value).abs() < 0.006 * right))
+    let is = |right: Option<Vec<f64>>, near: &dyn Fn(f64, f64) -> bool| {
+        right.is_some_and(|right| right.iter().zip(values).all(|(right, value)| near(*value, *right)))
+    };
+    let is_along = || is(sizes(&prepared.known, along), &|own, right| is_nearly_right(own.abs(), right.abs()));
+    asked && is(sizes(&prepared.known, speed), &|own, right| (right - own).abs() < 0.006 * right) && !is_along()
 }
 
 /// The sphere whose velocity after the impact is to be found, where that of the other is given.

@@ -8,6 +8,7 @@ use crate::mark::working::lines::Member;
 use crate::mark::working::numbers::{Linear, any_within, sizes};
 use crate::mark::working::theirs::{is_of_velocity, numbers};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::Range;
 
 impl Working<'_> {
     /// Do lines set up an equation in the one letter that is sought of which the right value is plainly no root, and none of
@@ -109,8 +110,13 @@ impl Working<'_> {
     fn is_denied(&self, (left, right): &(Expr, Expr)) -> bool {
         let found = |name: &str| {
             let mut found = self.prepared.found.iter();
-            let (_, values) = found.find(|(letter, _)| letter.name() == name)?;
-            Some(Expr::Decimal(format!("{:.12}", values.first().copied().flatten()?)))
+            let (letter, values) = found.find(|(letter, _)| letter.name() == name)?;
+            let size = values.first().copied().flatten()?;
+            // An angle is known by its tangent.
+            Some(match letter.range() {
+                Range::Acute => Expr::Degrees(Box::new(decimal(size.atan().to_degrees()))),
+                _ => decimal(size),
+            })
         };
         let [left, right] = [left, right].map(|side| side.substitute(&found));
         let size = |side: &Expr| numbers(&value(side, self.prepared, &self.prepared.names)?);
@@ -118,6 +124,10 @@ impl Working<'_> {
         // Where both come to nought, floats leave noise behind.
         are_apart && !(0..self.prepared.points.count).all(|point| self.holds_at(&left, &right, point))
     }
+}
+
+fn decimal(number: f64) -> Expr {
+    Expr::Decimal(format!("{number:.12}"))
 }
 
 /// Is it set equal to nought with decimals, which are rounded? Of nought no part is small.

@@ -3,7 +3,7 @@
 use crate::answer::{Accept, Kind};
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::{Judgement, Model, Note, Verdict, is_of_a_part, judge, named_spheres};
+use crate::mark::judging::{Judgement, Model, Note, Verdict, is_of_a_part, judge, may_be_named, named_spheres};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
 use crate::mark::working::denied::is_bare;
@@ -57,6 +57,7 @@ impl Working<'_> {
                 };
                 let of_a_part = |label: &Label| {
                     is_of_a_part(&label.typed, quantity)
+                        || !may_be_named(&label.typed, quantity)
                         || self.is_of_unknown(label)
                         || self.is_loss_of_one(&label.typed, quantity)
                 };
@@ -64,7 +65,7 @@ impl Working<'_> {
                     matches!(named, Some(Expr::Name(name)) if self.is_velocity_of_other(&name.text, quantity));
                 let is_own = matches!(named, Some(Expr::Name(name)) if Some(name.text.as_str()) == own_letter);
                 let is_named = is_named && !is_of_other && !statement.label.as_ref().is_some_and(of_a_part);
-                if !is_named || is_found_otherwise && letter.is_none() && is_bare(statement) {
+                if !is_named || is_found_otherwise && letter.is_none() && !is_own && is_bare(statement) {
                     continue;
                 }
                 if let (Some(size), Some(said)) = (size, statement.said.last())
@@ -255,6 +256,7 @@ impl Working<'_> {
         // A right formula that is worked out wrongly is no right value, here either.
         let same_statement =
             |one: &(&Member, &Vec<Value>), other: &(&Member, &Vec<Value>)| one.0.statement == other.0.statement;
+        let is_found_otherwise = self.found_otherwise().contains(&quantity);
         let ends_right = |studied: &Studied| {
             // `perp comps 4i and 2i`: what is a component has no other, though the whole may be as long.
             let is_component = self.says_across(&studied.line.typed);
@@ -262,7 +264,11 @@ impl Working<'_> {
                 matches!(values[..], [Value::Vector(..), ..]) && (member.label.is_some() || !is_component)
             };
             let vectors: Vec<_> = self.members(studied).filter(of_vectors).collect();
-            vectors.chunk_by(same_statement).any(|chain| chain.last().is_some_and(|(_, values)| is_right(values)))
+            // `4i and 2i stay`, where the other component was found to be no nought.
+            let counts = |chain: &[(&Member, &Vec<Value>)]| !is_found_otherwise || chain.len() > 1;
+            vectors
+                .chunk_by(same_statement)
+                .any(|chain| counts(chain) && chain.last().is_some_and(|(_, values)| is_right(values)))
         };
         let line = self.lines.iter().position(ends_right).or_else(|| self.line_of_components(sphere, moment))?;
         Some(Evidence::given(line, format!("the velocity of {}", sphere.name())))

@@ -27,6 +27,7 @@ pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.extend(after_impact(typed).map(|after| (None, after)));
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
     all.extend(named_by_moment(typed).map(|(name, formula)| (Some(name), formula.to_owned())));
+    all.extend(named_root(typed).map(|named| (None, named)));
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
         && after.contains(RELATIONS)
@@ -88,6 +89,18 @@ pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         all.push((None, without_lead_in(&words[last + 1..].join(" ")).to_owned()));
     }
     all
+}
+
+/// `speed of A √(1.92² + 2²) = 2.78`: a root whose name stands before it without an equals sign.
+fn named_root(typed: &str) -> Option<String> {
+    let root = ["√", "sqrt"].into_iter().filter_map(|root| typed.find(root)).min()?;
+    let (name, formula) = typed.split_at(root);
+    let name = name.trim();
+    let name = name.strip_suffix(" is").unwrap_or(name);
+    let mut words = name.split_whitespace();
+    let are_words = !name.is_empty() && name.chars().all(|sign| sign.is_alphabetic() || sign.is_whitespace());
+    let is_name = are_words && words.any(|word| word.chars().count() >= 3 && !is_formula(word));
+    (is_name && formula.contains('=')).then(|| format!("{name} = {formula}"))
 }
 
 /// `for v = 0: 10 = 3w`: what holds in a case, and the equation there, if there is one. It has a letter: `k = 3 : 2 = 1.5` is a ratio.

@@ -93,7 +93,11 @@ impl Working<'_> {
             if at + 1 == statements.len() {
                 statement.said.extend(self.goes_on_with(place));
             }
-            let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
+            // `m = 2 or -1`: a second value without a name is of the same letter.
+            let is_letter = matches!(blank.find, Find::Unknown(_));
+            let rivals = statements[at + 1..].iter().take_while(|rival| is_letter && rival.label.is_none()).cloned();
+            let statements = std::iter::once(statement).chain(rivals).collect();
+            let reading = Reading { statements, printed: String::new(), decided: Vec::new() };
             let (typed, is_never_right) = (studied.line.typed.clone(), !self.has_right_value(&blank.find));
             Some(Stated { typed, reading, is_never_right })
         })
