@@ -159,6 +159,10 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '﹥' => ">",
         '﹤' => "<",
         '×' | '✕' | '✖' | '∗' | '⨯' => "*",
+        // A bullet begins a line.
+        '∙' | '•' | '●' | '◦' | '▪' | '‣' | '▸' | '►' | '○' if matches!(before, None | Some('\n')) => {
+            " "
+        }
         '⋅' | '∙' | '•' => "⋅",
         '‧' | '⸱' | '・' => "·",
         '٫' => ".",
@@ -174,7 +178,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '≡' | '＝' | '﹦' => "=",
         '⩽' | '≦' => "≤",
         '⩾' | '≧' => "≥",
-        '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
+        '⇒' | '⟹' | '→' | '⟶' | '∴' | '➡' | '➔' | '➜' => "⇒",
         // To the right is the way that one reads on.
         '←' | '⟵' => " to the left ",
         '∵' => " because ",
@@ -188,7 +192,15 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '‖' => "|",
         '㎧' => " m/s ",
         '㎏' => " kg ",
-        '✓' | '✔' | '☑' => " ",
+        '✓' | '✔' | '☑' | '✅' => " ",
+        // Faces and the like say nothing of a value; the skin has a sign of its own.
+        '\u{1f600}'..='\u{1f64f}'
+        | '\u{1f910}'..='\u{1f92f}'
+        | '\u{1f970}'..='\u{1f97a}'
+        | '\u{1f3fb}'..='\u{1f3ff}' => " ",
+        '👍' | '👌' | '👏' | '💪' | '🎉' | '✨' | '🔥' | '🚀' | '⭐' | '🌟' | '💯' | '☺' | '👉' | '📌' => {
+            " "
+        }
         '✗' | '✘' | '❌' => " rejected ",
         // The number of an equation.
         '①'..='⑳' | '❶'..='❿' => " ",

@@ -28,7 +28,9 @@ pub(super) fn is_mathematics(command: &str) -> bool {
 /// Commands that stand for signs or words. Blanks keep words apart from what follows.
 pub(super) fn simple(command: &str) -> Option<&'static str> {
     Some(match command {
-        "cdot" | "times" | "ast" => " * ",
+        // A converter may write so the point of a decimal: it is read as the sign that it stands for.
+        "cdot" => "⋅",
+        "times" | "ast" => " * ",
         "div" => "÷",
         "colon" | "ratio" => ":",
         "land" | "wedge" => " and ",
