@@ -329,7 +329,14 @@ fn magnitude_left(model: &Model, x: &Expr, y: &Expr) -> Finding {
     }
     let magnitude = super::vector::magnitude(x, y);
     let finding = value(&Model { kind: Kind::Number, ..model.clone() }, &magnitude, &None);
-    if finding.is_correct() { Finding::partial(Note::VectorForScalar) } else { Finding::WRONG }
+    // A mass, e, or a letter that is to be found is the magnitude of nothing.
+    let has_none = |quantity: Quantity| matches!(quantity.of_its_impact(), Quantity::Mass(_) | Quantity::Restitution);
+    let is_no_magnitude = model.letter.is_some() || model.quantity.is_some_and(has_none);
+    match finding.is_correct() {
+        true if is_no_magnitude => Finding::unreadable(Note::CannotBeCompared),
+        true => Finding::partial(Note::VectorForScalar),
+        false => Finding::WRONG,
+    }
 }
 
 /// An angle where its tangent is asked, said to be one by its unit, its label or its form.

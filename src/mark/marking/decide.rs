@@ -4,7 +4,7 @@ use super::answers::is_shown;
 use super::follow::Followed;
 use super::withhold::{
     contradicts, drop_dependent, lacks_letter, withhold_by_luck, withhold_for_direction, withhold_from_wrong_equations,
-    withhold_from_wrong_method,
+    withhold_from_wrong_method, withhold_implied,
 };
 use crate::answer::Accept;
 use crate::bank::{Code, EarnedFor, Find};
@@ -80,6 +80,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     withhold_from_wrong_method(part, needed, has_right_value, &mut awards);
     withhold_from_wrong_equations(part, needed, denies_velocities, &mut awards);
     withhold_by_luck(part, &by_luck, &mut awards);
+    withhold_implied(part, &mut awards);
     withhold_for_direction(part, answers, &mut awards);
     awards
 }

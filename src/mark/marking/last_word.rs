@@ -11,6 +11,7 @@ use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::{Examined, typed_lines};
+use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 
 /// Of answers that are right though the working has found nothing but another value for them, or its equations deny them, says
 /// so: they are partly right, and imply nothing.
@@ -29,6 +30,7 @@ pub(super) fn contradict(
             Find::Quantity(quantity) if question.prepared().letter_of(*quantity).is_some() => {
                 examined.denies_what_is_found || examined.denied.get(place) == Some(&true)
             }
+            Find::Quantity(quantity) if is_denied_by_one_equation(question, examined, *quantity) => true,
             _ => examined.denied.get(place) == Some(&true),
         };
         let is_stated_otherwise = || {
@@ -49,6 +51,16 @@ pub(super) fn contradict(
             answer.judgement.feedback = "This is the right value, but your working comes to another.".to_owned();
         }
     }
+}
+
+/// Is it, in a straight line, the one velocity after the impact that is not given, and is it no root of any equation that the lines have for it?
+fn is_denied_by_one_equation(question: &KeyedQuestion, examined: &Examined, asked: Quantity) -> bool {
+    let (Quantity::Speed(of, Moment::After) | Quantity::Velocity(of, Moment::After, _)) = asked else { return false };
+    let along = [Axis::X, Axis::N].map(|axis| Quantity::Velocity(of.other(), Moment::After, axis));
+    let is_other_given = along.iter().any(|velocity| question.given.0.contains_key(velocity));
+    question.scene.setting == Setting::Direct
+        && is_other_given
+        && Sphere::BOTH.iter().zip(examined.denies_velocities).any(|(sphere, denied)| *sphere == of && denied)
 }
 
 /// An answer with too few figures says no less than the working does, where a line has the value in all of them: what is rounded

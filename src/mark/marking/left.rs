@@ -8,18 +8,21 @@ use std::rc::Rc;
 use super::answers::is_shown;
 use super::components::put_together;
 use super::decide::is_own;
+use super::last_lines::{
+    calls_something, concluded, has_own_unit, is_angle_after_its_ratio, is_formula, is_inequality, is_inverse,
+    is_of_angle, name_and_end,
+};
 use super::memory::{Judged, Lines};
 use crate::answer::Kind;
 use crate::bank::{Code, Find};
-use crate::expr::{Expr, Function, Relation};
+use crate::expr::{Expr, Relation};
 use crate::mark::award::{Award, Place};
-use crate::mark::judging::{Judgement, Note, Verdict, dimension, is_made_of_others, judge};
+use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Form, Label, Reading, Said, Statement};
+use crate::mark::reading::{Form, Label, Reading, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::{Examined, goes_on, is_bare, typed_lines};
 use crate::mechanics::{Moment, Quantity};
-use crate::unit::Unit;
 
 /// The last lines of the working of a part, as many as it has blanks.
 pub(super) struct Left<'s> {
@@ -162,10 +165,11 @@ impl<'s> Left<'s> {
         in_a_line.or_else(|| self.ends_of_range(judged).filter(|_| is_range))
     }
 
-    /// Is a line, after others, a value with its unit and nothing else: `85.6°`?
+    /// Is a line, after others, a value with its unit and nothing else: `85.6°`? A root needs no others: `√17`.
     fn is_lone_value(&self, line: &str) -> bool {
-        let is_figures = line.trim_start().starts_with(|sign: char| sign.is_ascii_digit());
-        self.part.blanks.len() == 1 && self.all.len() > 1 && is_figures && !line.contains('=')
+        let is_figures = line.trim_start().starts_with(|sign: char| sign.is_ascii_digit() || sign == '√');
+        let is_end = self.all.len() > 1 || line.contains('√');
+        self.part.blanks.len() == 1 && is_end && is_figures && !line.contains('=')
     }
 
     /// The end of a line that is called what is asked, after values of letters of the student's own.
@@ -325,75 +329,4 @@ fn is_worked_out(statement: &Statement) -> bool {
 /// Is it right, if only as coordinates, which not every board takes for a vector?
 fn is_right(judgement: &Judgement) -> bool {
     judgement.verdict == Verdict::Correct || judgement.note == Some(Note::Coordinates.tag())
-}
-
-/// What stands before the first equals sign and after the last, where there is a formula between them.
-fn name_and_end(line: &str) -> Option<String> {
-    let (name, rest) = line.split_once('=')?;
-    let (_, end) = rest.rsplit_once('=')?;
-    Some(format!("{name}={end}"))
-}
-
-/// Is it an angle in degrees, or the tangent, sine or cosine of one?
-fn is_of_angle(statement: &Statement) -> bool {
-    let name = statement.label.as_ref().and_then(|label| label.expr.as_ref());
-    let is_ratio = matches!(name, Some(Expr::Call(Function::Tan | Function::Sin | Function::Cos, _)));
-    is_ratio || statement.said.last().is_some_and(|said| said.unit.as_ref().is_some_and(|unit| unit.degrees))
-}
-
-/// Is it a value in the unit of an angle, an energy or an impulse that is asked, to three figures at least? Degrees are often left
-/// out. Of fewer figures, or of a speed, it may be a value on the way.
-fn has_own_unit(blank: &KeyedBlank, statements: &[Statement]) -> bool {
-    let [Statement { label: None, said }] = statements else { return false };
-    let [Said { form: Form::Value(Expr::Decimal(figures)), unit, .. }] = said.as_slice() else { return false };
-    let is_asked = match (&blank.find, unit) {
-        (Find::Quantity(quantity), None) => quantity.is_angle(),
-        (Find::Quantity(quantity), Some(unit)) if quantity.unit() != Unit::MetrePerSecond => {
-            quantity.is_angle() && unit.degrees || dimension(quantity.unit()) == unit.dimension && !unit.degrees
-        }
-        _ => false,
-    };
-    is_asked && figures.chars().filter(char::is_ascii_digit).count() >= 3
-}
-
-/// `tan δ = 0.237, δ = 13.3°`: an angle, after its own tangent, sine or cosine.
-fn is_angle_after_its_ratio(statements: &[Statement]) -> bool {
-    let name = |statement: &Statement| statement.label.as_ref().and_then(|label| label.expr.clone());
-    match statements {
-        [ratio, angle] => match (name(ratio), name(angle)) {
-            (Some(Expr::Call(Function::Tan | Function::Sin | Function::Cos, of)), Some(angle)) => *of == angle,
-            _ => false,
-        },
-        _ => false,
-    }
-}
-
-/// Is it found by an inverse tangent, sine or cosine?
-fn is_inverse(said: &Said) -> bool {
-    matches!(&said.form, Form::Value(Expr::Call(Function::Atan | Function::Asin | Function::Acos, _)))
-}
-
-/// May a line call its value by a name, or is it an inequality? That can be seen before it is read.
-fn calls_something(line: &str) -> bool {
-    let name = line.split(['=', '<', '>', '≤', '≥', '≈', ':']).next().unwrap_or_default();
-    name.len() < line.len() && name.contains(char::is_alphabetic) || line.contains(" is ")
-}
-
-/// Is a label a formula rather than a name: `w²`, `v(k + 1)` or `5w`?
-fn is_formula(label: &str) -> bool {
-    label.starts_with(|sign: char| sign.is_ascii_digit())
-        || label.contains(['+', '-', '−', '*', '×', '/', '(', '^', '²', '√'])
-}
-
-fn is_inequality(text: &str) -> bool {
-    text.contains(['<', '>', '≤', '≥'])
-}
-
-/// What is concluded in a line about a range: `e > 3/4` from `v < 0 so e > 3/4`.
-fn concluded(line: &str) -> &str {
-    let ends = [" so ", "⇒", "=>", "∴", "hence ", "therefore ", "then ", "gives ", ","];
-    let cuts = ends.iter().filter_map(|end| line.rfind(end).map(|at| at + end.len()));
-    let cut = cuts.filter(|at| is_inequality(&line[..*at].replace("=>", ""))).max().unwrap_or_default();
-    let end = line[cut..].trim();
-    if is_inequality(end) { end } else { line }
 }

@@ -14,6 +14,7 @@ mod decide;
 mod exchanged;
 mod follow;
 mod given_masses;
+mod last_lines;
 mod last_word;
 mod left;
 mod luck;

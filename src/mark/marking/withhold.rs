@@ -108,6 +108,25 @@ pub(super) fn withhold_by_luck(part: &KeyedPart, by_luck: &[bool], awards: &mut 
     }
 }
 
+/// An answer that does not follow from the working implies neither of the two equations; who was wrong in one of them has left
+/// the component across as it is, and put both together, for all that.
+pub(super) fn withhold_implied(part: &KeyedPart, awards: &mut [Award]) {
+    let is_denied = |blank: &KeyedBlank| {
+        let own =
+            || part.scheme.iter().zip(&*awards).filter(|(mark, _)| mark.code.is_accuracy() && is_own(mark, blank));
+        own().next().is_some() && own().all(|(_, award)| !award.given && award.is(Ground::Depends))
+    };
+    let denied: Vec<bool> = part.blanks.iter().map(is_denied).collect();
+    for (mark, award) in part.scheme.iter().zip(awards) {
+        let by_denied = matches!(&award.evidence, Some(Evidence { place: Place::Answer(blank), .. }) if denied[*blank]);
+        let is_equation = matches!(mark.earned_for, EarnedFor::Law(law, _) if law.seen() == Seen::Equation);
+        if is_equation && award.given && award.is(Ground::Implied) && by_denied {
+            let feedback = "the answer that would imply it does not follow from your working".to_owned();
+            *award = Award { note: Some(Ground::Depends.tag()), feedback, ..withheld(mark) };
+        }
+    }
+}
+
 /// Does a mark depend on one like this, by itself or by another?
 fn depends_on(scheme: &[KeyedMark], place: usize, is: &dyn Fn(&KeyedMark) -> bool) -> bool {
     scheme[place].depends.iter().any(|other| is(&scheme[*other]) || depends_on(scheme, *other, is))
