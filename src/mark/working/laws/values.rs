@@ -221,8 +221,24 @@ impl Working<'_> {
         };
         member.label.as_deref().is_some_and(names_loss)
             || is_difference()
+            || self.is_of_energies(&member.expr)
             || self.is_of_both_losses(&member.expr)
             || (has(a) && has(b))
+    }
+
+    /// `98 + 2 - 60.5 - 32`: the energies of both spheres before and after, each worked out.
+    fn is_of_energies(&self, expr: &Expr) -> bool {
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let energy = |(sphere, moment)| -> Option<Vec<f64>> {
+            let each = known(Quantity::Mass(sphere))?.into_iter().zip(known(Quantity::Speed(sphere, moment))?);
+            Some(each.map(|(mass, speed)| 0.5 * mass * speed * speed).collect())
+        };
+        let moments = [Moment::Before, Moment::After];
+        let all = Sphere::BOTH.into_iter().flat_map(|sphere| moments.map(|moment| (sphere, moment)));
+        let Some(energies) = all.map(energy).collect::<Option<Vec<_>>>() else { return false };
+        let Expr::Sum(terms) = expr else { return false };
+        let has = |energy: &Vec<f64>| terms.iter().any(|term| self.is_one_of(term, std::slice::from_ref(energy)));
+        terms.len() == energies.len() && energies.iter().all(has)
     }
 
     /// Is it said to be lost by one of two spheres, where what both lose together is looked for: `loss in A`?
