@@ -22,6 +22,7 @@ mod students;
 mod suggested;
 mod survey;
 mod tally;
+mod unprinted;
 mod words;
 
 pub use coverage::{Coverage, MarkCount, coverage};

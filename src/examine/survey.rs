@@ -9,7 +9,7 @@ use super::remark::numbers;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::Tally;
-use super::{again, author, scheme, suggested, words};
+use super::{again, author, scheme, suggested, unprinted, words};
 use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;
 use crate::generate::{
@@ -213,6 +213,7 @@ impl Done {
         }
         findings.extend(said);
         findings.extend(needless(question, &self.tallies));
+        findings.extend(unprinted::signs(question, &self.tallies));
         let mut told = BTreeSet::new();
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
             findings.extend(unposed(question, style, tally));

@@ -19,6 +19,7 @@ pub fn of_another_value(question: &Question) -> Vec<Finding> {
     for (place, part) in question.parts.iter().enumerate() {
         for (row, mark) in part.marks.iter().enumerate() {
             let found = of_another_thing(mark)
+                .or_else(|| sum_of_energies(part, mark))
                 .or_else(|| typed(mark))
                 .or_else(|| given(question, mark))
                 .or_else(|| other_figures(question, part, mark))
@@ -60,6 +61,53 @@ fn of_another_thing(mark: &Mark) -> Option<Finding> {
     let message = format!("the text of the mark {} speaks of `{noun}`, and it is for `{quantity}`", mark.id);
     let help = "say in its `text` what it is for, or mend `for`";
     Some(Finding::new(message, "", "for another value").with_help(help))
+}
+
+/// `Sum of the kinetic energies`, where what is lost of them is found: a difference.
+fn sum_of_energies(part: &Part, mark: &Mark) -> Option<Finding> {
+    const LOST: [&str; 18] = [
+        "lost",
+        "loss",
+        "lose",
+        "loses",
+        "losses",
+        "gain",
+        "gains",
+        "gained",
+        "change",
+        "changes",
+        "difference",
+        "less",
+        "minus",
+        "subtract",
+        "subtracts",
+        "subtracted",
+        "before",
+        "initial",
+    ];
+    let is_lost =
+        |quantity: &Quantity| matches!(quantity.of_its_impact(), Quantity::EnergyLost | Quantity::SphereEnergyLost(_));
+    let is_for_loss = match &mark.earned_for {
+        EarnedFor::Quantity(quantity) => is_lost(quantity),
+        EarnedFor::Law(law, _) => {
+            law.gives(Quantity::EnergyLost)
+                && part.answers.iter().flat_map(|answer| answer.find.quantities()).any(|found| is_lost(&found))
+        }
+        _ => false,
+    };
+    let text = mark.text.as_ref().filter(|_| is_for_loss)?;
+    let words = sentences(text);
+    let adds = |sentence: &Sentence| {
+        let sum = sentence.iter().position(|token| is_one_of(token, &["sum", "add", "adds", "total"]));
+        sum.is_some_and(|sum| says(&sentence[sum..], &["energy", "energies", "ke"]))
+    };
+    let signs = print::text_unicode(text).contains(['−', '-', '–']);
+    if signs || !words.iter().any(adds) || words.iter().any(|sentence| says(sentence, &LOST)) {
+        return None;
+    }
+    let message = format!("the text of the mark {} adds kinetic energies up, and what is lost is found", mark.id);
+    let help = "say `difference of the kinetic energies` in its `text`, or mend `for`";
+    Some(Finding::new(message, "", "for what is lost").with_help(help))
 }
 
 /// A value that stands in the scene, and that nobody has to find.
@@ -176,6 +224,10 @@ mod tests {
         let texts = [
             ("text = \"speed after\"", "speaks of `speed`, and it is for `ke.lost`"),
             ("text = \"loss of kinetic energy\"", ""),
+            ("text = \"sum of the kinetic energies\"", "adds kinetic energies up"),
+            ("text = \"total kinetic energy before less that after\"", ""),
+            ("text = \"sum of the losses of kinetic energy\"", ""),
+            ("text = \"total kinetic energy lost\"", ""),
             ("text = \"KE lost, ft their speeds\"", ""),
             ("text = \"from their speeds\"", ""),
             ("note = \"awrt 3sf; A0 if 2 sf\"", ""),

@@ -21,6 +21,9 @@ pub fn measured_from(after: &[Token]) -> Option<Axis> {
             "normal" => (is_across, is_normal) = (true, true),
             "centres" | "centers" => return Some(if is_across { Axis::T } else { Axis::N }),
             "wall" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
+            "common" if after.get(place + 1).is_some_and(|next| is_one_of(next, &["normal", "perpendicular"])) => {
+                return Some(Axis::N);
+            }
             "common" => return Some(Axis::T),
             "tangent" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
             _ => {}

@@ -20,6 +20,7 @@ mod figures;
 mod given;
 mod grammar;
 mod impacts;
+mod in_turn;
 mod letters;
 mod letters_introduced;
 mod lines;

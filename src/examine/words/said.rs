@@ -1,5 +1,6 @@
 //! Is what the words say what the scene has? Whose each mass and velocity is, and how walls and lines lie.
 
+use super::in_turn::{lines_of_row, named_in_turn, of_them};
 use super::said_of_walls::STRUCK;
 use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, noun_of, owner_of, says, sentences, subject};
 use crate::bank::{Answer, Question, Style};
@@ -17,10 +18,11 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     let asks = question.parts.iter().flat_map(|part| &part.ask).map(|text| (text, true));
     let mut findings = Vec::new();
     for (text, is_asked) in stem.chain(asks) {
-        let (mut is_later, mut is_struck, mut before) = (is_asked, is_asked, None);
+        let (mut is_later, mut is_struck, mut before, mut them) = (is_asked, is_asked, None, Vec::new());
         for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
             let known = findings.len();
-            seen.numbers(&sentence, (before, is_struck), &mut is_later, &mut findings);
+            seen.numbers(&sentence, (before, &them, is_struck), &mut is_later, &mut findings);
+            them = named_in_turn(&sentence, them);
             before = only_subject(&sentence).or(before.filter(|_| speaks_of_it(&sentence)));
             seen.parallel(&sentence, &mut findings);
             seen.equations(&sentence, &mut findings);
@@ -62,6 +64,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.shares(&sentence, &mut findings);
             seen.brought_to_rest(&sentence, &mut findings);
             seen.resting_when_struck(&sentence, &mut findings);
+            seen.described_at_rest(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);
             if !is_later {
                 seen.moving(&sentence, &mut findings);
@@ -143,12 +146,12 @@ impl<'v> Seen<'v> {
         Finding::new(message, at, "the scene has it otherwise").with_help(help)
     }
 
-    /// Masses, speeds, velocities and angles of spheres that are named, or of `it`: the sphere of which alone the sentence
-    /// before has spoken. Has something been struck in the sentences before, what happens `then` comes after that.
+    /// Masses, speeds, velocities and angles of spheres that are named, of `them` in turn, or of `it`: the sphere of which alone
+    /// the sentence before has spoken. Has something been struck in the sentences before, what happens `then` comes after that.
     fn numbers(
         &self,
         sentence: &Sentence,
-        (before, is_struck): (Option<Sphere>, bool),
+        (before, them, is_struck): (Option<Sphere>, &[Sphere], bool),
         is_later: &mut bool,
         findings: &mut Vec<Finding>,
     ) {
@@ -158,6 +161,7 @@ impl<'v> Seen<'v> {
             *is_later |= is_told && is_one_of(token, &["later", "then", "second", "subsequently", "after"]);
             let Token::Number(expr, _, lead) = token else { continue };
             let owner = owner_of(sentence, place).or_else(|| self.only_owner(sentence, place));
+            let owner = owner.or_else(|| of_them(sentence, place, them));
             let Some((noun, sphere)) = owner.or_else(|| of_it(sentence, place, before?)) else { continue };
             // What has gone before an impact that comes later is not asked.
             if noun != Noun::Mass && *is_later && !self.question.scene.then.is_empty() {
@@ -170,7 +174,7 @@ impl<'v> Seen<'v> {
             if noun == Noun::Speed && self.is_to_be_shown(expr, sphere) {
                 continue;
             }
-            let Some((said, other)) = self.compared(noun, sphere, moment, expr, &sentence[place + 1..]) else {
+            let Some((said, other)) = self.compared(noun, sphere, moment, expr, lines_of_row(sentence, place)) else {
                 continue;
             };
             let name = match noun {

@@ -92,7 +92,9 @@ impl Seen<'_> {
             let is_distance = place > 0 && is_one_of(&sentence[place - 1], &["is"]) && says(sentence, &["distance"]);
             let (what, has): (_, Vec<Option<Value>>) = match (is_radius && is_of_each, is_distance) {
                 (true, _) => ("radius", vec![given(&scene.radii.a), given(&scene.radii.b)]),
-                (false, true) if says(sentence, &["centre"]) => ("distance", vec![aside.clone()]),
+                (false, true) if says(sentence, &["centre"]) && edge(sentence).is_none() => {
+                    ("distance", vec![aside.clone()])
+                }
                 _ => continue,
             };
             let Some(said) = self.number(expr) else { continue };
@@ -125,6 +127,7 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, "say `radius`, or change the `radii` of `[scene]`"));
             }
         }
+        self.from_an_edge(sentence, findings);
         let centre_of = |words: &[Token]| match words {
             [centre, of, Token::Sphere(sphere)] if is_one_of(centre, &["centre"]) && is_one_of(of, &["of"]) => {
                 Some(*sphere)
@@ -141,6 +144,44 @@ impl Seen<'_> {
                 format!("the words give the distance from the centre of `*{name}*` to a line on which this centre is");
             let at = format!("centre of *{name}*");
             findings.push(self.finding(message, &at, "measure it from the centre of the other sphere"));
+        }
+    }
+}
+
+/// The edge of a sphere, from which a distance is measured.
+fn edge(sentence: &[Token]) -> Option<(String, Sphere)> {
+    const EDGES: [&str; 6] = ["edge", "rim", "circumference", "surface", "side", "boundary"];
+    sentence.windows(3).find_map(|words| match words {
+        [Token::Word(edge), of, Token::Sphere(sphere)] if EDGES.contains(&edge.as_str()) => {
+            is_one_of(of, &["of"]).then(|| (edge.clone(), *sphere))
+        }
+        _ => None,
+    })
+}
+
+impl Seen<'_> {
+    /// The distance of a path from the edge of a sphere, which is its radius less or more than that from the centre.
+    fn from_an_edge(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some((edge, sphere)) = edge(sentence).filter(|_| says(sentence, &["distance"])) else { return };
+        let offset = self.question.scene.impact_parameter.as_ref();
+        let from_centre = offset.and_then(|offset| self.number(&read(offset, Angles::Degrees).ok()?));
+        let (Some(from_centre), Some(radius)) = (from_centre, self.radius(sphere)) else { return };
+        for (place, token) in sentence.iter().enumerate().skip(1) {
+            let Token::Number(expr, Unit::None | Unit::Metre, _) = token else { continue };
+            let Some(said) = self.number(expr).filter(|_| is_one_of(&sentence[place - 1], &["is", "of"])) else {
+                continue;
+            };
+            let is_so = |distance: Value| (&distance * &distance).equals(&(&from_centre * &from_centre));
+            if !is_so(&said + &radius) && !is_so(&said - &radius) {
+                let (name, shown) = (sphere.name(), print::plain(expr));
+                let has = print::unicode(&written(&from_centre));
+                let message = format!(
+                    "the words give `{shown}` as the distance from the {edge} of `*{name}*`, and in the scene it is {has} from \
+                     the centre"
+                );
+                let help = format!("say `from the centre of *{name}*`, or add the radius in `impact_parameter`");
+                findings.push(self.finding(message, &format!("{edge} of *{name}*"), &help));
+            }
         }
     }
 }
@@ -168,7 +209,7 @@ fn along_which(words: &[Token]) -> Option<Axis> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::said_tests::assert_said;
+    use super::super::said_tests::{assert_said, said};
 
     #[test]
     fn components_distances_and_radii_are_those_of_the_scene() {
@@ -206,5 +247,11 @@ mod tests {
             ),
         ];
         assert_said(&table);
+        let (id, from) = ("rest-letters/distance-from-the-centre-of-b", "distance from the centre of *B*");
+        let edge = (from, "distance from the edge of *B*");
+        let part = ("is moving is {d}", "is moving is {d/4}");
+        let added = ("impact_parameter = \"-d\"", "impact_parameter = \"-(r - d/4)\"");
+        assert_eq!(said(id, &[edge, part, added]), "");
+        assert!(said(id, &[edge, part]).contains("give `d/4` as the distance from the edge of `*B*`"));
     }
 }

@@ -21,6 +21,12 @@ fn is_walls(token: &Token) -> bool {
     is_one_of(token, &["walls"])
 }
 
+/// Do words say that something lies in a direction, and not that it moves in one?
+fn lies_in(before: &[Token]) -> bool {
+    matches!(before, [.., is, within, the] if is_one_of(is, &["is", "was", "lies", "lay", "being"])
+        && is_one_of(within, &["in"]) && is_one_of(the, &["the"]))
+}
+
 /// Are two directions parallel, or else perpendicular?
 pub(super) fn do_lie([x, y]: [Value; 2], [p, q]: [Value; 2], are_parallel: bool) -> bool {
     let turned = if are_parallel { &(&x * &q) - &(&y * &p) } else { &(&x * &p) + &(&y * &q) };
@@ -58,13 +64,20 @@ impl Seen<'_> {
                     }
                     "parallel" | "along" => is_parallel = Some(true),
                     "perpendicular" | "normal" => is_parallel = Some(false),
+                    // `The line through the centres is in the direction of {j}`
+                    "direction" if subject == Some(Lies::Line) && lies_in(&sentence[..place]) => {
+                        is_parallel = Some(true)
+                    }
                     "walls" | "velocity" | "component" | "components" | "plane" | "path" | "direction" | "impulse"
                     | "speed" | "moving" | "moves" => (subject, is_parallel) = (None, None),
                     _ => {}
                 },
                 Token::Number(expr, Unit::None, lead) => {
                     let leads = place.checked_sub(1).map(|before| &sentence[before]);
-                    let is_to = leads.is_some_and(|token| is_one_of(token, &["to", "vector", "along"]));
+                    let is_of = place > 1 && is_one_of(&sentence[place - 2], &["direction"]);
+                    let is_to = leads.is_some_and(|token| {
+                        is_one_of(token, &["to", "vector", "along"]) || (is_of && is_one_of(token, &["of"]))
+                    });
                     let (Some(Meaning::Vector(x, y)), Some(lies), Some(is_parallel), true) =
                         (self.meaning(expr), subject, is_parallel, is_to)
                     else {
@@ -233,6 +246,15 @@ mod tests {
                 "the wall is parallel to j",
             ),
             ("walls/velocity-in-i-and-j", "wall is parallel to {i}", "wall is perpendicular to {j}", ""),
+            ("walls/velocity-in-i-and-j", "wall is parallel to {i}", "cushion is parallel to {i}", ""),
+            (
+                "walls/velocity-in-i-and-j",
+                "wall is parallel to {i}",
+                "cushion is parallel to {j}",
+                "the wall is parallel to j",
+            ),
+            ("i-j/energy-lost", "is parallel to {i}", "is in the direction of {i}", ""),
+            ("i-j/energy-lost", "is parallel to {i}", "is in the direction of {j}", "line of centres is parallel to j"),
             ("successive/corner", "and the second to {j}", "and the second to {i}", "the wall is parallel to i"),
             (
                 "i-j/energy-lost",

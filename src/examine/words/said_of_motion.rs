@@ -165,7 +165,11 @@ impl Seen<'_> {
         let is_there = |sphere: Sphere| impacts.iter().any(|impact| impact.has(sphere));
         let rests = |sphere: &Sphere| is_there(*sphere) && is_at_rest(self.variant, *sphere) == Some(true);
         let resting: Vec<Sphere> = Sphere::ALL.into_iter().filter(rests).collect();
-        let is_still = |pair: &[Token]| is_one_of(&pair[0], &["not"]) && is_one_of(&pair[1], &["moving", "move"]);
+        const LIES: [&str; 8] = ["lying", "lies", "standing", "stands", "sitting", "sits", "kept", "held"];
+        let is_still = |pair: &[Token]| {
+            (is_one_of(&pair[0], &["not"]) && is_one_of(&pair[1], &["moving", "move"]))
+                || (is_one_of(&pair[0], &LIES) && is_one_of(&pair[1], &["still"]))
+        };
         let tells = |words: &&Sentence| says(words, &RESTS) || words.windows(2).any(is_still);
         let said: Vec<&Sentence> = sentences.iter().filter(tells).collect();
         let is_of_all = said.iter().any(|words| says(words, &["both", "they", "others", "all", "each", "spheres"]));

@@ -58,6 +58,57 @@ impl Seen<'_> {
     }
 }
 
+impl Seen<'_> {
+    /// `Runs into *A*, which is stationary`, `hits the stationary ball *A*`: so it is before the impact.
+    pub(super) fn described_at_rest(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const STILL: [&str; 3] = ["stationary", "motionless", "rest"];
+        for (at, token) in sentence.iter().enumerate().filter(|(_, token)| is_one_of(token, &STILL)) {
+            let Some(sphere) = described(sentence, at) else { continue };
+            let first = self.first(sphere, Quantity::Speed(sphere, Moment::Before));
+            let Some(speed) = first.and_then(|first| self.known.number(first)) else { continue };
+            let is_of_another_time = says(sentence, &["after", "afterwards", "until", "not", "initially"])
+                || says(&sentence[..at], &["brought", "comes", "come", "later", "then"]);
+            let moves = (&speed * &speed).sign().is_some_and(|sign| sign.is_gt());
+            if moves && !is_of_another_time {
+                let Token::Word(said) = token else { continue };
+                let said = if said == "rest" { "at rest" } else { said };
+                let message = format!("the words say that `*{}*` is {said}, and in the scene it moves", sphere.name());
+                let help = "say that it is moving, or give it no velocity in `[scene]`";
+                findings.push(self.finding(message, said, help));
+            }
+        }
+    }
+}
+
+/// The sphere beside whose name stands the word that it does not move.
+fn described(sentence: &[Token], at: usize) -> Option<Sphere> {
+    const NOUNS: [&str; 7] = ["sphere", "ball", "particle", "smooth", "small", "uniform", "identical"];
+    let before = match &sentence[..at] {
+        [before @ .., lead] if is_one_of(&sentence[at], &["rest"]) && is_one_of(lead, &["at"]) => before,
+        before if !is_one_of(&sentence[at], &["rest"]) => before,
+        _ => return None,
+    };
+    let clause = match before {
+        [name, Token::Comma, which, is] | [.., name, Token::Comma, which, is] => Some((name, which, is)),
+        _ => match before {
+            [.., name, which, is] => Some((name, which, is)),
+            _ => None,
+        },
+    };
+    if let Some((Token::Sphere(sphere), which, is)) = clause
+        && is_one_of(which, &["which", "that"])
+        && is_one_of(is, &["is", "was", "lies"])
+    {
+        return Some(*sphere);
+    }
+    // `The stationary ball *A*`
+    let next = sentence[at + 1..].iter().find(|token| !is_one_of(token, &NOUNS));
+    match next {
+        Some(Token::Sphere(sphere)) if !is_one_of(&sentence[at], &["rest"]) => Some(*sphere),
+        _ => None,
+    }
+}
+
 /// Who is said at this word to come to rest.
 fn rests(sentence: &[Token], at: usize) -> Option<Sphere> {
     const COMES: [&str; 8] = ["brought", "comes", "come", "coming", "came", "brings", "bring", "bringing"];
@@ -69,8 +120,12 @@ fn rests(sentence: &[Token], at: usize) -> Option<Sphere> {
     let verb = sentence[..at].iter().rposition(|token| is_one_of(token, &COMES));
     // `The impulse needed to bring *A* to rest` says nothing of what happens.
     let is_infinitive = |verb: usize| verb > 0 && is_one_of(&sentence[verb - 1], &["to"]);
+    // `Hits a stone *B* that has come to rest`: it did so before.
+    let is_over = |verb: usize| {
+        verb > 0 && is_one_of(&sentence[verb - 1], &["has", "had", "having"]) && moment(sentence, at) == Moment::Before
+    };
     match verb {
-        Some(verb) if is_infinitive(verb) => None,
+        Some(verb) if is_infinitive(verb) || is_over(verb) => None,
         Some(verb) if is_led("to") => match sentence[verb + 1..at - 1] {
             [] => subject(&sentence[..verb]),
             [Token::Sphere(sphere)] => Some(sphere),
@@ -155,6 +210,31 @@ mod tests {
                 "The coefficient",
                 "Immediately after the collision *B* is at rest. The coefficient",
                 "`*B*` comes to rest",
+            ),
+            ("rest/speeds-and-directions", "which is at rest on the plane", "which has come to rest on the plane", ""),
+            (
+                "rest/speeds-and-directions",
+                "The spheres have",
+                "*A* meets the stationary ball *B*. The spheres have",
+                "",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The spheres have",
+                "*B* runs into *A*, which is stationary. The spheres have",
+                "`*A*` is stationary, and in the scene it moves",
+            ),
+            (
+                "both-moving/energy-lost-and-impulse",
+                "The coefficient",
+                "*A* meets the stationary sphere *B*. The coefficient",
+                "`*B*` is stationary",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "The coefficient",
+                "After the collision *A* has come to rest. The coefficient",
+                "`*A*` comes to rest",
             ),
             (
                 "both-moving/energy-lost-and-impulse",

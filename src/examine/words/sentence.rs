@@ -57,7 +57,7 @@ pub fn sentences(text: &Text) -> Vec<Sentence<'_>> {
                         continue;
                     }
                     if !word.is_empty() {
-                        sentence.push(Word(std::mem::take(&mut word)));
+                        sentence.push(Word(as_a_wall(std::mem::take(&mut word))));
                     }
                     match sign {
                         ',' => sentence.push(Comma),
@@ -84,6 +84,15 @@ pub fn sentences(text: &Text) -> Vec<Sentence<'_>> {
     found
 }
 
+/// What stands as a wall does, in the word for one.
+fn as_a_wall(word: String) -> String {
+    match word.as_str() {
+        "cushion" | "barrier" => "wall".to_owned(),
+        "cushions" | "barriers" => "walls".to_owned(),
+        _ => word,
+    }
+}
+
 /// Is what a sentence says only supposed?
 pub fn is_supposed(sentence: &[Token]) -> bool {
     says(sentence, &SUPPOSED)
@@ -107,7 +116,7 @@ pub fn says(sentence: &[Token], words: &[&str]) -> bool {
 }
 
 /// Words that may stand between the name of a quantity and its number, beside names, numbers and commas.
-pub(super) const BETWEEN: [&str; 32] = [
+pub(super) const BETWEEN: [&str; 33] = [
     "of",
     "is",
     "are",
@@ -140,6 +149,7 @@ pub(super) const BETWEEN: [&str; 32] = [
     "both",
     "acute",
     "this",
+    "for",
 ];
 
 /// What the number at a place of a sentence is of, if that is plain.
@@ -157,15 +167,50 @@ pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> 
             "velocity" => (Noun::Velocity, false),
             "velocities" => (Noun::Velocity, true),
             "angle" => (Noun::Angle, false),
+            "angles" => (Noun::Angle, true),
             "radius" => (Noun::Radius, false),
             "radii" => (Noun::Radius, true),
             word if BETWEEN.contains(&word) => continue,
             "impulse" if is_of_time(&sentence[..at]) => continue,
-            _ => return None,
+            _ => return angle_between(&sentence[..place]),
         };
         return Some((at, noun, is_plural));
     }
     None
+}
+
+/// `The angles between their paths and the line of centres, both acute, are` some number.
+fn angle_between(before: &[Token]) -> Option<(usize, Noun, bool)> {
+    const OF_LINES: [&str; 19] = [
+        "between",
+        "their",
+        "its",
+        "path",
+        "paths",
+        "direction",
+        "directions",
+        "motion",
+        "line",
+        "centres",
+        "to",
+        "perpendicular",
+        "normal",
+        "common",
+        "tangent",
+        "wall",
+        "joining",
+        "spheres",
+        "balls",
+    ];
+    let at = before
+        .windows(2)
+        .rposition(|pair| is_one_of(&pair[0], &["angle", "angles"]) && is_one_of(&pair[1], &["between"]))?;
+    let is_led = |token: &Token| match token {
+        Word(word) => OF_LINES.contains(&word.as_str()) || BETWEEN.contains(&word.as_str()),
+        _ => true,
+    };
+    let is_plural = is_one_of(&before[at], &["angles"]);
+    before[at + 1..].iter().all(is_led).then_some((at, Noun::Angle, is_plural))
 }
 
 /// What a number is of that nothing names, `moving at {alpha deg} to the wall` and `moving at {u m/s}`.
@@ -197,9 +242,18 @@ pub fn owner_of(sentence: &[Token], place: usize) -> Option<(Noun, Sphere)> {
     let numbers = || sentence[at..].iter().enumerate().filter(|(_, token)| matches!(token, Number(..)));
     let nth = numbers().position(|(number, _)| at + number == place)?;
     if is_plural {
+        // `{a} for *A* and {b} for *B*`
+        if let [Word(of), Token::Sphere(owner), ..] = &sentence[place + 1..]
+            && of == "for"
+        {
+            return Some((noun, *owner));
+        }
         let first = sentence[at..].iter().position(|token| matches!(token, Number(..)))?;
+        // `Masses of *A* and *B*`, but `*A* and *B* make angles of {a} and {b}`
+        let theirs = Some(listed(&sentence[at..at + first])).filter(|owners| !owners.is_empty());
         let owners = match sentence.get(at + 1) {
-            Some(of) if is_one_of(of, &["of"]) => listed(&sentence[at..at + first]),
+            Some(of) if is_one_of(of, &["of"]) && noun != Noun::Angle => theirs.unwrap_or_default(),
+            Some(of) if is_one_of(of, &["of"]) => theirs.unwrap_or_else(|| listed(&sentence[..at])),
             _ => listed(&sentence[..at]),
         };
         let after = sentence[at..].iter().skip_while(|token| !matches!(token, Number(..)));
@@ -393,6 +447,7 @@ mod tests {
             ("{a} with the line of centres, which is perpendicular to the wall", Some(Axis::N)),
             ("{a} to the perpendicular to the line of centres", Some(Axis::T)),
             ("{a} with the common tangent", Some(Axis::T)),
+            ("{a} with the common normal, the line through the centres", Some(Axis::N)),
             ("{a}, where {tan(a) = 3/4}, with the wall", Some(Axis::T)),
             ("{a} with the normal to the wall", Some(Axis::N)),
             ("{a} to the normal", Some(Axis::N)),
