@@ -87,7 +87,7 @@ pub(super) fn read_files(folder: &Path) -> Result<Files, Vec<Diagnostic>> {
     let nowhere = |message: String, help: String| {
         vec![Diagnostic::new(message, &Source::new(shown.to_string(), ""), 0..0, "").with_help(help)]
     };
-    if folder.is_file() {
+    if folder.exists() && !folder.is_dir() {
         let message = format!("`{shown}` is a file, and a bank is a folder");
         let is_question = folder.extension().is_some_and(|ending| ending == "toml");
         let look = format!(", or look at this one question: `carom preview {shown}`");
@@ -109,12 +109,26 @@ pub(super) fn read_files(folder: &Path) -> Result<Files, Vec<Diagnostic>> {
     }
     let mut found = Files { sources: Vec::new(), unreadable: Vec::new() };
     for (id, path) in files {
+        if let Some(fault) = misnamed(&id, &path) {
+            found.unreadable.push(fault);
+            continue;
+        }
         match read_source(&path) {
             Ok(source) => found.sources.push((id, source)),
             Err(faults) => found.unreadable.extend(faults),
         }
     }
     Ok(found)
+}
+
+/// A fault of a name that cannot be printed or typed.
+fn misnamed(id: &str, path: &Path) -> Option<Diagnostic> {
+    let is_unprintable = |sign: char| sign.is_control() || sign == char::REPLACEMENT_CHARACTER;
+    let shown: String = path.display().to_string().chars().filter(|sign| !sign.is_control()).collect();
+    let message = format!("the name of `{shown}` has signs in it that cannot be printed");
+    let fault = Diagnostic::new(message, &Source::new(shown.as_str(), ""), 0..0, "");
+    let help = "give the file a name of letters, digits, `-` and `_`: it is typed and printed";
+    id.contains(is_unprintable).then(|| fault.with_help(help))
 }
 
 /// The text of a question file, without the mark that some editors put at its beginning.
@@ -128,7 +142,7 @@ pub fn read_source(path: &Path) -> Result<Source, Vec<Diagnostic>> {
     let unreadable = |error: io::Error| {
         let fault = fault(format!("`{shown}` cannot be read: {}", why_unread(&error)));
         let help = match error.kind() {
-            io::ErrorKind::NotFound if path.is_symlink() => {
+            _ if path.is_symlink() && !path.exists() => {
                 "it is a link to a file that is not there: take it out, or put the file back".to_owned()
             }
             io::ErrorKind::NotFound => format!("`carom new-question {shown}` starts a question there"),
@@ -156,7 +170,9 @@ const LONGEST: u64 = 100_000;
 /// A text from its bytes.
 fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> {
     let help = "save it as UTF-8: most editors ask for the encoding under 'Save as'";
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+    // Half of the bytes of plain letters are nought in UTF-16, with the mark at its beginning or without it.
+    let noughts = bytes.iter().filter(|byte| **byte == 0).count();
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || 4 * noughts > bytes.len() {
         let message = format!("`{shown}` is saved as UTF-16");
         return Err(vec![Diagnostic::new(message, &Source::new(shown, ""), 0..0, "").with_help(help)]);
     }
@@ -206,6 +222,8 @@ mod tests {
         assert_eq!(&*read("α\r\n".as_bytes()).unwrap().text, "α\r\n");
         let picture = read(b"a = 'x'\nb = 'r\xe9st'\n").unwrap_err()[0].to_string();
         assert!(picture.contains("q.toml:2:7") && picture.contains("UTF-8"), "{picture}");
-        assert!(read(b"\xff\xfea\0").unwrap_err()[0].message.contains("UTF-16"));
+        for bytes in [b"\xff\xfea\0".as_slice(), b"a\0=\x001\0", b"\0a\0=\x001"] {
+            assert!(read(bytes).unwrap_err()[0].message.contains("UTF-16"));
+        }
     }
 }

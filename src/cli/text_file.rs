@@ -64,10 +64,15 @@ pub fn name_of(path: &Path) -> String {
 /// A file that cannot be read, why not, and which may have been meant.
 pub fn unread(path: &Path, error: &io::Error) -> Failure {
     let name = name_of(path);
-    let why = if path.is_dir() { "it is a folder".to_owned() } else { why_unread(error) };
-    if error.kind() != io::ErrorKind::NotFound || is_stdin(path) {
+    let why = match path {
+        path if path.is_dir() => "it is a folder".to_owned(),
+        path if leads_nowhere(path) => "it is a link that leads to no file".to_owned(),
+        _ => why_unread(error),
+    };
+    if error.kind() != io::ErrorKind::NotFound || is_stdin(path) || leads_nowhere(path) {
         let help = match error.kind() {
             _ if path.is_dir() => "give the file in it that you mean",
+            _ if leads_nowhere(path) => "give the file itself",
             io::ErrorKind::PermissionDenied => "put a copy of it in a folder of your own",
             io::ErrorKind::IsADirectory => "give the file in it that you mean",
             io::ErrorKind::NotADirectory => "look at the path",
@@ -84,6 +89,11 @@ pub fn unread(path: &Path, error: &io::Error) -> Failure {
         None => "look at its name, and in which folder you are".to_owned(),
     };
     Failure::with_help(format!("`{name}` cannot be read: {why}"), help)
+}
+
+/// Is it a link, and nothing there to which it leads?
+pub fn leads_nowhere(path: &Path) -> bool {
+    path.is_symlink() && !path.exists()
 }
 
 fn last_of(path: &Path) -> String {

@@ -6,6 +6,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::text_file::leads_nowhere;
 use crate::render::RenderedFile;
 
 /// A file ready to be written: text or PDF, to the disk it is bytes.
@@ -73,6 +74,16 @@ pub fn remove(made: &[PathBuf]) {
 ///
 /// A file in its place or above it.
 pub fn can_be(folder: &Path) -> Result<(), Failure> {
+    if let Some(link) = folder.ancestors().find(|above| leads_nowhere(above)) {
+        return Err(Failure::with_help(
+            format!(
+                "the folder `{}` cannot be made: `{}` is a link that leads nowhere",
+                folder.display(),
+                link.display()
+            ),
+            "name another folder, or take the link away",
+        ));
+    }
     match folder.ancestors().find(|above| above.exists()) {
         Some(there) if !there.is_dir() => Err(Failure::with_help(
             format!("the folder `{}` cannot be made: `{}` is a file", folder.display(), there.display()),

@@ -25,11 +25,16 @@ pub(super) struct Earlier {
     codes: Option<Codes>,
 }
 
+/// What stands in a file, if it is one. A device that is linked to in its place may have no end.
+fn regular(path: &Path) -> Option<Vec<u8>> {
+    if path.is_file() { fs::read(path).ok() } else { None }
+}
+
 impl Earlier {
     /// Looks for a key of Carom's in a folder.
     pub fn find(folder: &Path) -> Earlier {
-        let text = fs::read_to_string(folder.join(KEY)).unwrap_or_default();
-        Earlier { codes: serde_json::from_str(&text).ok().and_then(|key| codes(&key)) }
+        let text = regular(&folder.join(KEY)).unwrap_or_default();
+        Earlier { codes: serde_json::from_slice(&text).ok().and_then(|key| codes(&key)) }
     }
 
     /// Makes sure that nothing is written over that is not Carom's, and that no answers come to lie beside a key to other
@@ -42,7 +47,7 @@ impl Earlier {
         let old = self.codes.as_ref().unwrap_or(&no_codes);
         let students: Vec<&str> = old.keys().chain(new.keys()).map(String::as_str).collect();
         let table = folder.join(SUBMISSIONS);
-        let has_answers = fs::read(&table).is_ok_and(|bytes| is_filled_in(&bytes, &students));
+        let has_answers = regular(&table).is_some_and(|bytes| is_filled_in(&bytes, &students));
         if has_answers && self.is_of_other_sheets(&new) {
             let is_to = match old.iter().next() {
                 None => format!("no `{KEY}` beside it says to which sheet"),
