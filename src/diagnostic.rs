@@ -1,5 +1,6 @@
 //! A fault in a person's file: what is wrong, where, what was expected, and one thing to try.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::io;
 use std::ops::Range;
@@ -99,7 +100,8 @@ impl Diagnostic {
             Severity::Error => (Level::ERROR, Level::HELP),
             Severity::Warning => (Level::WARNING, Level::HELP),
         };
-        let title = level.primary_title(self.message.as_str());
+        let message = briefly(&self.message);
+        let title = level.primary_title(&*message);
         let mut groups: Vec<Group> = Vec::new();
         if self.source.text.is_empty() {
             groups.push(title.element(annotate_snippets::Origin::path(&*self.source.file)));
@@ -153,6 +155,30 @@ pub fn render_all(diagnostics: &[Diagnostic], colour: bool) -> String {
         text.push('\n');
     }
     text
+}
+
+/// A message in which no word fills a page: of what was typed, or came of it, the beginning and the end tell enough.
+///
+/// ```
+/// use carom::diagnostic::briefly;
+/// assert_eq!(briefly("unknown name `speeed`"), "unknown name `speeed`");
+/// assert!(briefly(&format!("unknown name `{}`", "x".repeat(9000))).chars().count() < 300);
+/// ```
+pub fn briefly(message: &str) -> Cow<'_, str> {
+    const LONGEST: usize = 400;
+    const SHOWN: [usize; 2] = [120, 40];
+    let is_long = |word: &str| word.chars().count() > LONGEST;
+    if message.len() <= LONGEST || !message.split(' ').any(is_long) {
+        return Cow::Borrowed(message);
+    }
+    let brief = |word: &str| {
+        let signs: Vec<char> = word.chars().collect();
+        let [first, last] = SHOWN;
+        let (first, last) = (&signs[..first.min(signs.len())], &signs[signs.len().saturating_sub(last)..]);
+        format!("{}…{}", first.iter().collect::<String>(), last.iter().collect::<String>())
+    };
+    let words = message.split(' ').map(|word| if is_long(word) { brief(word) } else { word.to_owned() });
+    Cow::Owned(words.collect::<Vec<_>>().join(" "))
 }
 
 /// Why a file cannot be read, in words of a person.

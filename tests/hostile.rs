@@ -370,3 +370,62 @@ fn what_a_key_calls_its_questions_is_harmless_too() {
         );
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_or_to_what_has_no_end_stops_nothing() {
+    use std::os::unix::fs::symlink;
+    let folder = folder("links");
+    symlink("round", folder.join("round")).unwrap();
+    symlink("nowhere", folder.join("lost")).unwrap();
+    for link in ["round", "lost"] {
+        refused(&folder, &["solve", link], &["is a link that leads to no file", "give the file itself"]);
+        refused(&folder, &["mark", "sheet/key.json", link], &["is a link that leads to no file"]);
+        refused(
+            &folder,
+            &["sheet", "--count", "1", "--seed", "1", "--out", link],
+            &["is a link that leads nowhere", "take the link away"],
+        );
+    }
+    // What is read of an earlier sheet might be a device.
+    fs::create_dir(folder.join("endless")).unwrap();
+    symlink("/dev/zero", folder.join("endless/key.json")).unwrap();
+    symlink("/dev/zero", folder.join("endless/submissions.csv")).unwrap();
+    let made = carom(&folder, &["sheet", "--count", "1", "--seed", "1", "--format", "text", "--out", "endless"]);
+    assert!(made.status.success(), "{}", stderr(&made));
+    assert!(fs::read_to_string(folder.join("endless/key.json")).unwrap().starts_with('{'));
+}
+
+#[test]
+fn what_was_typed_is_repeated_in_brief() {
+    let folder = folder("brief");
+    let long = "9".repeat(3000);
+    for (name, scene) in [
+        ("text", format!("{{\"masses\": \"{}\"}}", "a".repeat(9000))),
+        ("name", format!("{{\"{}\": 1}}", "a".repeat(9000))),
+        (
+            "apart",
+            format!(
+                "{{\"masses\": {{\"A\": \"1\", \"B\": \"1\"}}, \"before\": {{\"A\": [\"-{long}\", \"0\"], \"B\": [\"0\", \"0\"]}}, \
+                 \"line_of_centres\": [\"1\", \"0\"], \"sense\": \"A_to_B\", \"e\": \"1\"}}"
+            ),
+        ),
+    ] {
+        fs::write(folder.join("long.json"), scene).unwrap();
+        let output = carom(&folder, &["solve", "long.json"]);
+        assert_eq!(output.status.code(), Some(1), "{name}");
+        assert!(stderr(&output).len() < 2500, "{name}: {}", stderr(&output));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_question_file_has_a_name_that_can_be_printed() {
+    let folder = folder("names");
+    fs::create_dir(folder.join("bank")).unwrap();
+    fs::write(folder.join("bank/two\nlines.toml"), "").unwrap();
+    let said = stderr(&carom(&folder, &["check", "bank"]));
+    assert!(said.contains("`bank/twolines.toml` has signs in it that cannot be printed"), "{said}");
+    let device = stderr(&carom(&folder, &["check", "/dev/null"]));
+    assert!(device.contains("`/dev/null` is a file, and a bank is a folder"), "{device}");
+}

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::write::refusal;
-use crate::diagnostic::{Diagnostic, render_all};
+use crate::diagnostic::{Diagnostic, briefly, render_all};
 use crate::mechanics::Refusal;
 use crate::render::RenderFault;
 
@@ -50,7 +50,7 @@ impl Failure {
 
 /// A name that was typed is repeated without what commands a terminal.
 fn harmless(words: &str) -> String {
-    words.chars().filter(|c| !c.is_control() || *c == '\n').collect()
+    briefly(words).chars().filter(|c| !c.is_control() || *c == '\n').collect()
 }
 
 /// Tells of what was hardly meant, but stops nothing.

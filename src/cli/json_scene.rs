@@ -172,6 +172,13 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
             "null" => "leave out what is not given".to_owned(),
             _ => "`carom solve --help` shows a scene".to_owned(),
         };
+        let what = match what.split_once(' ') {
+            None if what == "map" => "an object",
+            None if what == "sequence" => "a list",
+            Some(("string", _)) => "a text",
+            Some(("integer" | "floating", _)) => "a bare number",
+            _ => what,
+        };
         let fault = Diagnostic::new(format!("{what} in a scene"), source, span, format!("expected {expected}"));
         return fault.with_help(help);
     }
@@ -183,8 +190,14 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
             Some(start) => start + 1..start + 1 + name.len(),
             None => span,
         };
+        let help = match name {
+            "C" => {
+                "a third sphere comes in a later impact, `\"then\": [{\"of\": [\"B\", \"C\"], \"mass\": …, \"before\": …}]`"
+            }
+            _ => "`carom solve --help` shows a scene",
+        };
         let fault = Diagnostic::new(what, source, span, format!("expected {known}"));
-        return fault.with_help("`carom solve --help` shows a scene").with_near(near);
+        return fault.with_help(help).with_near(near.filter(|_| name != "C"));
     }
     Diagnostic::new(said, source, span, "not as a scene has it")
 }
@@ -281,6 +294,11 @@ mod tests {
             (r#""e": "2*()""#, "()", "write what belongs between them"),
             (r#""e": "2^(1/3)""#, "2^(1/3)", "write what the power comes to as a decimal"),
             (r#""e": "tan(90*deg)""#, "tan(90*deg)", "give another angle"),
+            (
+                r#""line_of_centres": ["sqrt(2)+sqrt(3)+sqrt(5)", "sqrt(7)+sqrt(11)+sqrt(13)"]"#,
+                "sqrt(7)+sqrt(11)+sqrt(13)",
+                "as a decimal",
+            ),
             (r#""e": "sine(30*deg)""#, "sine", "did you mean `sin`?"),
             (r#""e": "cosine(30*deg)""#, "cosine", "did you mean `cos`?"),
             (r#""e": "gcd(1/2)""#, "gcd", "say it with those"),
@@ -303,6 +321,11 @@ mod tests {
             assert_eq!(found, at, "{line}");
             assert!(faults[0].help.clone().unwrap_or_default().contains(help), "{line}: {:?}", faults[0].help);
         }
+        let third = r#"{"masses": {"A": "1", "B": "1", "C": "1"}}"#;
+        let faults = read(&Source::new("scene.json", third)).unwrap_err();
+        assert!(faults[0].help.clone().unwrap_or_default().contains("in a later impact"), "{faults:?}");
+        let list = read(&Source::new("scene.json", r#"{"masses": ["1", "2"], "e": {"a": "1"}}"#)).unwrap_err();
+        assert!(list[0].message.ends_with("in a scene") && !list[0].message.contains("map"), "{list:?}");
         for mass in ["0", "-2"] {
             let text = format!("{{\"masses\": {{\"A\": \"{mass}\", \"B\": \"1\"}}}}");
             let faults = read(&Source::new("scene.json", text)).unwrap_err();

@@ -121,6 +121,8 @@ impl Answer {
     }
 
     fn number(value: &Value, left: Left, unit: &'static str) -> Answer {
+        // Roots within roots may cancel unseen.
+        let value = if value.is_constant() && value.is_zero() { &Value::ZERO } else { value };
         let exact = written(value);
         Answer::from(&exact, &exact, |places| left.rounded(value, places), unit)
     }

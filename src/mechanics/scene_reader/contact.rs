@@ -94,6 +94,9 @@ impl Reader<'_> {
                     self.no_direction("wall[1]", wall[1].as_ref(), setting);
                     return None;
                 }
+                if self.has_too_many_roots([&x.value, &y.value], wall[1].as_ref(), "wall[1]") {
+                    return None;
+                }
                 return Some(Contact::Along(-y.value, x.value, None));
             }
             _ => {}
@@ -113,6 +116,9 @@ impl Reader<'_> {
             let (x, y_value) = (x?.value, y_given?.value);
             if x.is_zero() && y_value.is_zero() {
                 self.no_direction("line_of_centres[1]", y.as_ref(), setting);
+                return None;
+            }
+            if self.has_too_many_roots([&x, &y_value], y.as_ref(), "line_of_centres[1]") {
                 return None;
             }
             let sense = text.sense.filter(|sense| *sense == Sense::FromAToB);

@@ -36,6 +36,9 @@ const MOST_TERMS: usize = 40;
 const MOST_ANGLES: usize = 4;
 const MOST_DEPTH: u32 = 4;
 
+/// So many different roots a vector may have of whose direction a unit vector is made: each more doubles that vector.
+const MOST_ROOTS: usize = 5;
+
 /// How many angles in degrees stand in a value.
 fn given_angles(value: &Value) -> usize {
     value.letters().iter().filter(|letter| letter.is_constant()).count()
@@ -221,6 +224,20 @@ impl Reader<'_> {
             self.whole_fault(field, text, "too many roots within roots", &expected);
         }
         self.help("write what it comes to as a decimal");
+    }
+
+    /// Is a vector one whose direction would take minutes? That is a fault of the second component, with this text.
+    fn has_too_many_roots(&mut self, [x, y]: [&Value; 2], text: &str, field: &str) -> bool {
+        let of_x = x.roots();
+        let of_y = y.roots();
+        let roots: Vec<_> = of_x.iter().chain(of_y.iter().filter(|root| !of_x.contains(root))).collect();
+        let are_too_many = roots.len() > MOST_ROOTS;
+        if are_too_many {
+            let expected = format!("at most {MOST_ROOTS} different roots in both components");
+            self.whole_fault(field, text, "too many different roots in one vector", &expected);
+            self.help("write what it comes to as a decimal");
+        }
+        are_too_many
     }
 
     /// A fault of evaluation; without a place of its own it is that of the whole text.

@@ -258,6 +258,9 @@ impl Reader<'_> {
             self.no_direction(&format!("{}[1]", field(name)), line[1].as_ref(), setting);
             return None;
         }
+        if self.has_too_many_roots([&x.value, &y.value], line[1].as_ref(), &format!("{}[1]", field(name))) {
+            return None;
+        }
         if setting == Setting::Wall && in_a_line {
             if !x.value.is_zero() {
                 let label = "a vector along the wall, and the spheres move straight at it";
