@@ -10,8 +10,8 @@ use crate::expr::{Expr, number, print};
 /// So many values are named.
 const MOST_NAMED: usize = 4;
 
-/// The values below nought, at nought or above it of a parameter that has others too, where no variant has any of them in any
-/// style. Single values that a requirement turns away are no loss: a range is quickly written.
+/// The values below nought, at nought or above it of a range that has others too, where no variant has any of them in any
+/// style. Single values that a requirement turns away are no loss: a range is quickly written. And in a list each has been meant.
 pub fn signs(question: &Question, tallies: &[Tally]) -> Vec<Finding> {
     // Of a style that was not examined to its end, or has no variant, nothing can be said.
     if tallies.iter().any(|tally| tally.census.examined < tally.census.size || tally.census.fit == 0) {
@@ -45,7 +45,8 @@ struct Values<'q> {
 impl Values<'_> {
     /// Those of a style, of which these sets of numbers are its variants.
     fn add(&mut self, domain: &Domain, stride: u64, fit: &[u64]) {
-        for index in 0..domain.size() {
+        let written = if matches!(domain, Domain::Range { .. }) { domain.size() } else { 0 };
+        for index in 0..written {
             let value = domain.value(index);
             let sign = number(&value, &|_| None).ok().and_then(|value| value.sign());
             let Some(sign) = sign.filter(|_| !self.all.iter().any(|(known, ..)| *known == value)) else { continue };

@@ -26,7 +26,10 @@ pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence
     }
     let is_lost_by = asked.iter().flat_map(|sentence| sentence.windows(3)).any(|words| match words {
         [lost, by, Token::Sphere(_)] => is_one_of(lost, &["lost"]) && is_one_of(by, &["by"]),
-        [that, Token::Sphere(_), loses] => is_one_of(that, &["that"]) && is_one_of(loses, &["loses"]),
+        [that, Token::Sphere(_), loses] => {
+            (is_one_of(that, &["that"]) && is_one_of(loses, &["loses"]))
+                || (is_one_of(that, &["does"]) && is_one_of(loses, &["lose"]))
+        }
         _ => false,
     });
     // `The loss in the kinetic energy of sphere *A*`

@@ -43,7 +43,12 @@ pub fn lines_of_row<'s, 't>(sentence: &'s [Token<'t>], place: usize) -> &'s [Tok
             // The line stands on either side of `and`.
             let and = sentence[at..first].iter().rposition(|token| is_one_of(token, &["and"]));
             let sides = and.map(|and| [&sentence[at + and..first], &sentence[at..at + and]]);
-            let named = sides.into_iter().flatten().find(|side| measured_from(side).is_some());
+            // `Inclined to the wall at an angle {a}`
+            let lead = sentence[..at].iter().rposition(|token| is_one_of(token, &["inclined"]));
+            let lead = lead.map(|lead| &sentence[lead + 1..at]).filter(|lead| {
+                lead.len() < 12 && !lead.iter().any(|token| matches!(token, Token::Number(..) | Token::Comma))
+            });
+            let named = sides.into_iter().flatten().chain(lead).find(|side| measured_from(side).is_some());
             named.unwrap_or(&sentence[at..first])
         }
         _ => after,
@@ -83,9 +88,24 @@ mod tests {
             )
         };
         let [behind, wrong] = [behind(loc), behind("the common tangent")];
+        let wall = "walls/rebound-speed-and-direction";
+        let makes = "its direction of motion makes an acute angle of\n{alpha deg} with the wall";
         let table = [
+            (wall, makes, "its path is inclined to the wall at an acute angle of {alpha deg}", ""),
+            (
+                wall,
+                makes,
+                "its path is inclined to the normal to the wall at an acute angle of {alpha deg}",
+                "the angle",
+            ),
             (line, speeds, "Their speeds are {u m/s} and {w m/s} respectively. The", ""),
             (line, speeds, "Their speeds are {w m/s} and {u m/s} respectively. The", "give `*A*` the speed `w`"),
+            (
+                line,
+                speeds,
+                "Their speeds just before they meet are {w m/s} and {u m/s}. The",
+                "give `*A*` the speed `w`",
+            ),
             (both, path, so.as_str(), ""),
             (both, path, crossed.as_str(), "give `*A*` the angle `beta`"),
             (both, path, across.as_str(), "give `*A*` the angle `alpha`"),

@@ -113,7 +113,7 @@ impl Seen<'_> {
     }
 
     /// Two that are named, or one and a wall, and that do not meet in any impact.
-    fn never_meet(&self, words: &[Token]) -> Option<String> {
+    pub(super) fn never_meet(&self, words: &[Token]) -> Option<String> {
         let named: Vec<Sphere> =
             Sphere::ALL.into_iter().filter(|sphere| words.contains(&Token::Sphere(*sphere))).collect();
         let names = |sphere: &Sphere| format!("`*{}*`", sphere.name());

@@ -12,6 +12,12 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 /// One who does it is the sphere that moves.
 const STRIKES: [&str; 3] = ["strikes", "hits", "meets"];
 
+/// `Goes on to hit`, of one who does hit.
+fn goes_on(before: &[Token]) -> bool {
+    matches!(before, [.., goes, on, to, hit] if is_one_of(goes, &["goes", "went", "moves"]) && is_one_of(on, &["on"])
+        && is_one_of(to, &["to"]) && is_one_of(hit, &["hit", "strike", "meet"]))
+}
+
 impl Seen<'_> {
     /// `*A* is struck by *B*` or `*B* strikes *A*`, where *B* is at rest until the first collision, which is theirs.
     pub(super) fn striking(&self, sentence: &Sentence, is_struck: bool, findings: &mut Vec<Finding>) {
@@ -24,14 +30,21 @@ impl Seen<'_> {
             [struck, by, Token::Sphere(striker), ..]
                 if is_one_of(struck, &["struck", "hit"]) && is_one_of(by, &["by"]) =>
             {
-                Some((*striker, format!("by *{}*", striker.name())))
+                Some((*striker, *striker))
             }
-            [strikes, Token::Sphere(other), ..] if is_one_of(strikes, &STRIKES) => subject(&sentence[..at])
-                .filter(|striker| striker != other)
-                .map(|striker| (striker, format!("*{}*", other.name()))),
+            [strikes, Token::Sphere(other), ..] if is_one_of(strikes, &STRIKES) || goes_on(&sentence[..=at]) => {
+                subject(&sentence[..at]).filter(|striker| striker != other).map(|striker| (striker, *other))
+            }
             _ => None,
         };
-        let Some((striker, at)) = said else { return };
+        let Some((striker, named)) = said else { return };
+        if let Some(strangers) = self.never_meet(&[Token::Sphere(striker), Token::Sphere(named)]) {
+            let message = format!("the words speak of a collision of {strangers}, and in the scene they do not meet");
+            let help = "name in the words those that meet in `[scene]`, or let others meet there with `of`";
+            findings.push(self.finding(message, &format!("*{}*", named.name()), help));
+            return;
+        }
+        let at = format!("{}*{}*", if striker == named { "by " } else { "" }, named.name());
         let all = impacts(&self.question.scene);
         let of_it = |number: usize| all.get(number).filter(|one| one.has(striker) && !one.is_of_one());
         // After the first impact only who is struck in the next, and never again, is known to be at rest until then.
@@ -93,7 +106,7 @@ mod tests {
         let line = "successive/no-more-collisions";
         let meeting = "After *B* has struck *C*, *A* does not strike *B* again.";
         let directly = "when it strikes *B* directly";
-        let table: [(&str, Edits, &str); 14] = [
+        let table: [(&str, Edits, &str); 17] = [
             (second, &[], ""),
             (
                 second,
@@ -115,6 +128,13 @@ mod tests {
                 "`*C*` strikes, and in the scene it is at rest",
             ),
             (line, &[("then *B* strikes *C*", "then *C* is struck by *B*")], ""),
+            (
+                line,
+                &[("then *B* strikes *C*", "then *A* strikes *C*")],
+                "`*A*` and `*C*`, and in the scene they do not meet",
+            ),
+            (line, &[("then *B* strikes *C*", "and *A* goes on to hit *C*")], "`*A*` and `*C*`"),
+            (line, &[("then *B* strikes *C*", "and *B* goes on to hit *C*")], ""),
             (line, &[(meeting, "There is no third collision.")], ""),
             (line, &[(meeting, "There is a third collision.")], "they do not meet"),
             (line, &[(meeting, "There are exactly two collisions.")], ""),

@@ -1,9 +1,7 @@
 //! Is what the words say of the collision so? Who is at rest, who moves towards whom, and which angles are acute.
 
-use std::cmp::Ordering;
-
-use super::said_of_spheres::is_always;
-use super::sentence::{Token, in_order, is_one_of, is_supposed, sentences, subject};
+use super::compared::{Compared, compared};
+use super::sentence::in_order;
 use super::sentences::around;
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate};
@@ -14,7 +12,7 @@ use crate::paper::Words;
 use crate::unit::Unit;
 
 /// A remark on words of the author that are not so, at their place in the file.
-fn remark(what: &str, at: &str, shown: &str, help: &str) -> Remark {
+pub(super) fn remark(what: &str, at: &str, shown: &str, help: &str) -> Remark {
     Remark::new(what, at, "here", help).showing(shown)
 }
 
@@ -169,69 +167,6 @@ fn named_before(pieces: &[&Piece]) -> Vec<Sphere> {
     named
 }
 
-/// What one sphere is said to be beside another, and how what it has is then to that of the other.
-const BESIDE: [(&str, Ordering); 4] = [
-    ("heavier", Ordering::Greater),
-    ("lighter", Ordering::Less),
-    ("faster", Ordering::Greater),
-    ("slower", Ordering::Less),
-];
-
-/// The speed before the collision; in one line it is the size of the velocity.
-fn speed(variant: &Variant, sphere: Sphere) -> Option<Value> {
-    let known = variant.solution.known();
-    known.number(Quantity::Speed(sphere, Moment::Before)).or_else(|| {
-        let along = [Axis::N, Axis::X].map(|axis| Quantity::Velocity(sphere, Moment::Before, axis));
-        let along = along.into_iter().find_map(|along| known.number(along));
-        let along = along.filter(|_| variant.scene.setting == Setting::Direct)?;
-        Some(if along.sign()?.is_lt() { -&along } else { along })
-    })
-}
-
-/// A sphere that is said to be heavier or faster than another.
-#[derive(Clone, Debug)]
-struct Compared {
-    one: Sphere,
-    said: &'static str,
-    wanted: Ordering,
-    other: Sphere,
-    /// Of what comes later nothing is compared but masses.
-    is_later: bool,
-}
-
-impl Compared {
-    fn if_untrue(&self, variant: &Variant) -> Option<Remark> {
-        let Compared { one, said, wanted, other, is_later } = self;
-        let of = |sphere| match *said {
-            "heavier" | "lighter" => variant.solution.known().number(Quantity::Mass(sphere)),
-            _ if *is_later => None,
-            _ => speed(variant, sphere),
-        };
-        let is_so = is_always(variant, &(&of(*one)? - &of(*other)?), *wanted)?;
-        let shown = format!("{} is {said} than {}", one.name(), other.name());
-        let help = "require that it is so, or take the words out";
-        (!is_so).then(|| remark("a comparison that is not so", &format!("{said} than"), &shown, help))
-    }
-}
-
-fn compared(text: &Text, found: &mut Vec<Compared>) {
-    for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
-        for (place, token) in sentence.iter().enumerate() {
-            let Some((said, wanted)) = BESIDE.iter().find(|(said, _)| is_one_of(token, &[said])) else { continue };
-            let other = sentence[place + 1..].iter().take(3).find_map(|token| match token {
-                Token::Sphere(sphere) => Some(*sphere),
-                _ => None,
-            });
-            let (Some(one), Some(other)) = (subject(&sentence[..place]), other) else { continue };
-            // `*A* strikes a heavier sphere *B*` says it of *B*.
-            let is_before_its_name = !sentence[place + 1..].iter().take(3).any(|token| is_one_of(token, &["than"]));
-            let (one, other) = if is_before_its_name { (other, one) } else { (one, other) };
-            let is_later = sentence.iter().any(|token| is_one_of(token, &["after", "then"]));
-            found.push(Compared { one, said, wanted: *wanted, other, is_later });
-        }
-    }
-}
-
 /// An angle that is said to be acute is below 90 degrees, and one that is obtuse above.
 fn angles(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
     for pair in text.0.windows(2) {
@@ -272,16 +207,24 @@ fn is_acute(expr: &Expr, piece: &Piece, variant: &Variant) -> Option<bool> {
 
 /// Words of who moves which way along the line of centres, and what they say of *A* and of *B*: with the line from *A* to
 /// *B* or against it. What is said of the other is said of both.
-const WAYS: [(&str, Whom); 12] = [
+const WAYS: [(&str, Whom); 20] = [
     ("towards each other", Whom::Both(1.0, -1.0)),
+    ("towards one another", Whom::Both(1.0, -1.0)),
     ("towards the other", Whom::Both(1.0, -1.0)),
     ("towards", Whom::Next(1.0)),
     ("away from each other", Whom::Both(-1.0, 1.0)),
+    ("away from one another", Whom::Both(-1.0, 1.0)),
     ("away from the other", Whom::Both(-1.0, 1.0)),
     ("away from", Whom::Next(-1.0)),
     ("in opposite directions", Whom::Opposite(-1.0)),
     ("in the opposite direction along", Whom::Opposite(-1.0)),
     ("in the same direction", Whom::Opposite(1.0)),
+    ("going the same way", Whom::Opposite(1.0)),
+    ("moving the same way", Whom::Opposite(1.0)),
+    ("travelling the same way", Whom::Opposite(1.0)),
+    ("going the opposite way", Whom::Opposite(-1.0)),
+    ("moving the opposite way", Whom::Opposite(-1.0)),
+    ("travelling the opposite way", Whom::Opposite(-1.0)),
     ("behind", Whom::Behind),
     ("in front of", Whom::Ahead),
     ("ahead of", Whom::Ahead),
@@ -371,7 +314,11 @@ fn untrue_way(way: &str, whom: Whom, next: &str, variant: &Variant) -> Option<St
         (Whom::Next(sense), "A") => of_one(Sphere::B, -sense, next),
         (Whom::Next(sense), "B") => of_one(Sphere::A, sense, next),
         (Whom::Both(a, b), _) => of_one(Sphere::A, a, "B").or_else(|| of_one(Sphere::B, b, "A")),
-        (Whom::Opposite(sense), _) if !is_third => of_both(sense)?.then(|| format!("A and B move {way}")),
+        (Whom::Opposite(sense), _) if !is_third => {
+            let way =
+                ["going ", "moving ", "travelling "].iter().find_map(|verb| way.strip_prefix(verb)).unwrap_or(way);
+            of_both(sense)?.then(|| format!("A and B move {way}"))
+        }
         // Who is behind goes towards the other.
         (Whom::Behind | Whom::Ahead, "A" | "B") => {
             let is_ahead = matches!(whom, Whom::Ahead);
@@ -422,6 +369,19 @@ mod tests {
                 "A and B move in the same direction",
             ),
             ("direct/one-sphere-catches-the-other", "in the same direction", "towards each other", "B moves towards A"),
+            (
+                "direct/one-sphere-catches-the-other",
+                "in the same direction",
+                "towards one another",
+                "B moves towards A",
+            ),
+            ("direct/one-sphere-catches-the-other", "in the same direction", "with *B* going the same way", ""),
+            (
+                "direct/one-sphere-catches-the-other",
+                "in the same direction",
+                "with *B* going the opposite way",
+                "A and B move the opposite way",
+            ),
             (
                 "direct/one-sphere-catches-the-other",
                 "in the same direction",
