@@ -26,13 +26,17 @@ impl Seen<'_> {
         }
         for (place, token) in sentence.iter().enumerate().skip(start + 1) {
             let Token::Number(expr, Unit::None, lead) = token else { continue };
-            let leads = is_one_of(&sentence[place - 1], &["is", "restitution"]);
+            // `Is {e} between the balls and {f} between *B* and the wall`
+            let behind = between_whom(&sentence[place + 1..]);
+            let is_next = behind.is_some() && is_one_of(&sentence[place - 1], &["and"]);
+            let leads = is_next || is_one_of(&sentence[place - 1], &["is", "restitution"]);
             if matches!(expr, Expr::Relation(..) | Expr::Vector(..)) || !leads || self.names_what_is_found(expr) {
                 continue;
             }
             let before = &sentence[start..place];
             let between = before.iter().rposition(|token| is_one_of(token, &["between"])).unwrap_or(0);
-            if let Some(strangers) = self.never_meet(&before[between..]) {
+            let whom = behind.unwrap_or(&before[between..]);
+            if let Some(strangers) = self.never_meet(whom) {
                 let message = format!(
                     "the words give a coefficient of restitution between {strangers}, and in the scene they do not meet"
                 );
@@ -40,14 +44,15 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, help));
                 continue;
             }
-            let of = of_another_wall(before).unwrap_or_else(|| before[between..].to_vec());
+            let of = of_another_wall(before).filter(|_| behind.is_none()).unwrap_or_else(|| whom.to_vec());
             let (Some(said), Some(has)) = (self.number(expr), self.coefficient_between(&of)) else {
                 continue;
             };
             // Two that meet more than once have one coefficient, unless the words tell their impacts apart.
-            let named = Sphere::ALL.into_iter().filter(|sphere| before.contains(&Token::Sphere(*sphere))).count();
+            let told = behind.unwrap_or(before);
+            let named = Sphere::ALL.into_iter().filter(|sphere| told.contains(&Token::Sphere(*sphere))).count();
             let is_third = impacts(&self.question.scene).iter().any(|impact| impact.has(Sphere::C));
-            let is_of_two = named == 2 || (named == 0 && !is_third && says(before, &["spheres", "them"]));
+            let is_of_two = named == 2 || (named == 0 && !is_third && says(told, &["spheres", "them"]));
             let is_of_all = is_of_two && !says(sentence, &["first", "second", "third", "again"]);
             let other = has.iter().find(|has| !has.equals(&said));
             if let Some(other) = other.filter(|_| is_of_all || !has.iter().any(|has| has.equals(&said))) {
@@ -149,6 +154,13 @@ impl Seen<'_> {
     }
 }
 
+/// The words behind a number that say between whom it is.
+fn between_whom<'s, 't>(after: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
+    after.first().filter(|next| is_one_of(next, &["between"]))?;
+    let end = after.iter().position(|token| matches!(token, Token::Number(..) | Token::Comma));
+    Some(&after[..end.unwrap_or(after.len())])
+}
+
 /// `With the first wall it is {e} and with the second it is {f}`: what is said of the last number, and the wall that goes
 /// without saying.
 fn of_another_wall(before: &[Token]) -> Option<Vec<Token<'static>>> {
@@ -177,6 +189,24 @@ mod tests {
                 "*C* immediately after they collide",
                 "*C* after its collision with *A*",
                 "collision of `*A*` and `*C*`",
+            ),
+            (
+                "successive/three-in-a-line",
+                "between *A* and *B* is {e}, and that between *B* and *C* is {f}",
+                "is {e} between *A* and *B* and {f} between *B* and *C*",
+                "",
+            ),
+            (
+                "successive/three-in-a-line",
+                "between *A* and *B* is {e}, and that between *B* and *C* is {f}",
+                "is {f} between *A* and *B*, and {e} between *B* and *C*",
+                "the coefficient of restitution `f` where the scene gives it",
+            ),
+            (
+                "successive/struck-onto-a-wall",
+                "between the spheres is {e}, and that between *B* and the wall is {f}",
+                "is {f} between the spheres, and {e} between *B* and the wall",
+                "the coefficient of restitution `f` where the scene gives it",
             ),
             (
                 "walls/rebound-speed-and-direction",
