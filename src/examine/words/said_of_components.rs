@@ -127,7 +127,7 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, "say `radius`, or change the `radii` of `[scene]`"));
             }
         }
-        self.from_an_edge(sentence, findings);
+        self.offset_from_an_edge(sentence, findings);
         let centre_of = |words: &[Token]| match words {
             [centre, of, Token::Sphere(sphere)] if is_one_of(centre, &["centre"]) && is_one_of(of, &["of"]) => {
                 Some(*sphere)
@@ -161,7 +161,7 @@ fn edge(sentence: &[Token]) -> Option<(String, Sphere)> {
 
 impl Seen<'_> {
     /// The distance of a path from the edge of a sphere, which is its radius less or more than that from the centre.
-    fn from_an_edge(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+    fn offset_from_an_edge(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         let Some((edge, sphere)) = edge(sentence).filter(|_| says(sentence, &["distance"])) else { return };
         let offset = self.question.scene.impact_parameter.as_ref();
         let from_centre = offset.and_then(|offset| self.number(&read(offset, Angles::Degrees).ok()?));
