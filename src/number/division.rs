@@ -59,6 +59,17 @@ impl Polynomial {
             let mut coefficients = [self, other].map(|polynomial| polynomial.coefficients(*absent)).concat();
             return common_factor(&mut coefficients);
         }
+        // Where there is a common factor it is as a rule all of the shorter one, or 1 + t², from cos² = 1/(1 + t²). To divide is
+        // quick, and what is left has nothing in common.
+        let (short, long) = if self.terms().len() <= other.terms().len() { (self, other) } else { (other, self) };
+        if long.divided_by(short).is_some() {
+            return short.primitive();
+        }
+        for circle in possible.iter().map(|letter| Polynomial::one_plus_square(*letter)) {
+            if let Some((a, b)) = self.divided_by(&circle).zip(other.divided_by(&circle)) {
+                return (&circle * &a.greatest_common_divisor(&b)).primitive();
+            }
+        }
         let (content_a, mut a) = self.split_content(letter);
         let (content_b, mut b) = other.split_content(letter);
         let content = content_a.greatest_common_divisor(&content_b);
@@ -194,6 +205,24 @@ mod tests {
         assert_eq!(left.greatest_common_divisor(&right), shared);
         assert_eq!((&a + &b).greatest_common_divisor(&(&a - &b)), Polynomial::one());
         assert_eq!((&a * &b).greatest_common_divisor(&(&(&a * &a) + &(&a * &c))), a);
+    }
+
+    #[test]
+    fn a_factor_that_is_a_whole_polynomial_or_a_circle_is_found() {
+        let (a, b, c) = (letter("a"), letter("b"), letter("c"));
+        let circle = |letter: &Polynomial| &(letter * letter) + &number(1);
+        let whole = &circle(&a) * &(&b - &number(2));
+        let table = [
+            (whole.clone(), &whole * &(&a + &c), whole.clone()),
+            (&whole * &number(-6), whole.clone(), whole.clone()),
+            (&whole * &circle(&b), &(&circle(&a) * &circle(&b)) * &(&b + &number(2)), &circle(&a) * &circle(&b)),
+            (&circle(&a) * &(&a + &c), &circle(&a) * &(&a - &c), circle(&a)),
+            (&circle(&a) * &circle(&a), &(&circle(&a) * &circle(&a)) * &circle(&c), &circle(&a) * &circle(&a)),
+        ];
+        for (left, right, common) in table {
+            assert_eq!(left.greatest_common_divisor(&right), common.primitive());
+            assert_eq!(right.greatest_common_divisor(&left), common.primitive());
+        }
     }
 
     #[test]
