@@ -192,7 +192,14 @@ fn where_one_may_not_write_or_the_disk_is_full_it_is_said_and_no_folder_is_left(
     #[cfg(target_os = "linux")]
     {
         let full = fs::File::options().write(true).open("/dev/full").unwrap();
-        for arguments in [&["list"][..], &["schema", "key"], &["explain", "5C-2"], &["completions", "bash"]] {
+        for arguments in [
+            &["list"][..],
+            &["schema", "key"],
+            &["explain", "5C-2"],
+            &["completions", "bash"],
+            &["--help"],
+            &["mark", "-h"],
+        ] {
             let command = Command::new(env!("CARGO_BIN_EXE_carom"))
                 .args(arguments)
                 .stdout(full.try_clone().unwrap())

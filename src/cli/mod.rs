@@ -33,6 +33,7 @@ mod write;
 
 use std::env;
 use std::ffi::OsString;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
@@ -128,9 +129,8 @@ pub fn run() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
-            // A reader that has gone away needs no help.
-            let _ = error.print();
-            return ExitCode::from(code);
+            let printed = error.print().and_then(|()| io::stdout().flush());
+            return ended(printed.map_err(Failure::from), ExitCode::from(code));
         }
     };
     match arguments.color {
@@ -157,9 +157,13 @@ pub fn run() -> ExitCode {
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Manual(arguments) => manual::run(&arguments),
     };
+    ended(outcome, ExitCode::SUCCESS)
+}
+
+/// What is left to say, and the exit code: this one where all is well. A reader that has gone away needs nothing more.
+fn ended(outcome: Result<(), Failure>, code: ExitCode) -> ExitCode {
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(Failure::ReaderGone) => ExitCode::SUCCESS,
+        Ok(()) | Err(Failure::ReaderGone) => code,
         Err(failure) => {
             failure.print();
             ExitCode::from(1)
