@@ -205,6 +205,10 @@ fn json_lines_are_marked_as_the_same_table_is() {
             r#"{"student": "Ada", "question": 2, "answer": "1", "working": [1]}"#,
             "`working` is a list of something but strings",
         ),
+        (
+            r#"{"student": "Ada", "question": 2, "answer": "1", "working": [{"a": 1, "a": 1}], "answer": "2"}"#,
+            "`answer` is given twice",
+        ),
     ];
     let text: String = broken.iter().map(|(line, _)| format!("{line}\n")).collect();
     let output = mark(&folder, format!("{}\n{text}", lines[0]), &[]);
@@ -212,6 +216,10 @@ fn json_lines_are_marked_as_the_same_table_is() {
     let found = table(folder.join("marks/not-marked.csv"));
     let found: Vec<&str> = found.iter().skip(1).map(|row| row[1].as_str()).collect();
     assert_eq!(found, broken.map(|(_, reason)| reason));
+    let twice = broken.last().unwrap();
+    mark(&folder, format!("[{},{}]", lines[0], twice.0), &[]);
+    let found = table(folder.join("marks/not-marked.csv"));
+    assert_eq!(found[1][1], twice.1, "in an array too");
 }
 
 #[test]

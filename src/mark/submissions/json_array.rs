@@ -42,7 +42,7 @@ pub(super) fn read(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
         let end = match values.next() {
             Some(Ok(fields)) => {
                 let end = at + values.byte_offset();
-                rows.place(json_lines::row(line, &fields), line, &text[at..end]);
+                rows.place(json_lines::row(line, &fields, &text[at..end]), line, &text[at..end]);
                 end
             }
             Some(Err(error)) if !error.is_eof() => {

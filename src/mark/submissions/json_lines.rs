@@ -1,5 +1,9 @@
 //! Submissions as JSON lines: an object a line, with the names of the columns.
 
+use std::collections::BTreeSet;
+use std::fmt;
+
+use serde::de::{Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde_json::{Map, Value as Json};
 
 use super::{COLUMNS, Row, Rows};
@@ -13,7 +17,7 @@ pub(super) fn read(text: &str) -> Rows {
             continue;
         }
         let fields = serde_json::from_str(text).map_err(|error| reason(&error));
-        rows.place(fields.and_then(|fields| row(line, &fields)), line, text);
+        rows.place(fields.and_then(|fields| row(line, &fields, text)), line, text);
     }
     rows
 }
@@ -27,9 +31,12 @@ fn reason(error: &serde_json::Error) -> String {
     }
 }
 
-/// An object as a row.
-pub(super) fn row(line: usize, fields: &Json) -> Result<Row, String> {
+/// An object as a row, and its text.
+pub(super) fn row(line: usize, fields: &Json, text: &str) -> Result<Row, String> {
     let fields = fields.as_object().ok_or("this is no JSON object: write one for each answer, a line each")?;
+    if let Ok(GivenTwice(Some(name))) = serde_json::from_str(text) {
+        return Err(format!("`{name}` is given twice"));
+    }
     let question = match fields.get("question") {
         Some(Json::Number(number)) => number.to_string(),
         _ => needed(fields, "question")?,
@@ -69,5 +76,34 @@ fn words(fields: &Map<String, Json>, name: &str) -> Result<Option<String>, Strin
             Err("`answer` is a number: write it as a string, so that it keeps its figures".to_owned())
         }
         Some(_) => Err(format!("`{name}` is not a string")),
+    }
+}
+
+/// The first name that an object has twice. A map of what was read would only have the last of them.
+struct GivenTwice(Option<String>);
+
+impl<'de> Deserialize<'de> for GivenTwice {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<GivenTwice, D::Error> {
+        deserializer.deserialize_map(Names)
+    }
+}
+
+struct Names;
+
+impl<'de> Visitor<'de> for Names {
+    type Value = GivenTwice;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<GivenTwice, A::Error> {
+        let (mut names, mut twice) = (BTreeSet::new(), None);
+        while let Some((name, IgnoredAny)) = map.next_entry::<String, IgnoredAny>()? {
+            if let Some(name) = names.replace(name) {
+                twice.get_or_insert(name);
+            }
+        }
+        Ok(GivenTwice(twice))
     }
 }
