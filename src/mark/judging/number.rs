@@ -75,6 +75,10 @@ pub(super) fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) ->
             return if is_impulse { finding } else { finding.at_most_partial(Note::DirectionUnchecked) };
         }
         Form::Vector(x, y, _) => return magnitude_left(model, x, y),
+        // Of two masses a ratio may be right, and does not say the one.
+        Form::Ratio(..) if matches!(model.quantity.map(Quantity::of_its_impact), Some(Quantity::Mass(_))) => {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
         Form::Ratio(above, below) => {
             let quotient = above.clone().over(below.clone());
             return value(model, &quotient, &Written::of(&quotient)).at_most_partial(Note::RatioForNumber);
