@@ -1,6 +1,7 @@
 //! Values of parameters that no variant has, whole signs of them: nobody meets them, and every deal tries them.
 
 use std::cmp::Ordering;
+use std::collections::HashMap;
 
 use super::finding::Finding;
 use super::tally::Tally;
@@ -23,7 +24,7 @@ pub fn signs(question: &Question, tallies: &[Tally]) -> Vec<Finding> {
         let mut stride = 1;
         for (name, domain) in style.parameters.iter().rev() {
             let place = values.iter().position(|known| known.name == *name).unwrap_or_else(|| {
-                values.push(Values { name, style, all: Vec::new() });
+                values.push(Values { name, style, all: Vec::new(), places: HashMap::new() });
                 values.len() - 1
             });
             values[place].add(domain, stride, &tally.fit);
@@ -40,6 +41,8 @@ struct Values<'q> {
     style: &'q Style,
     /// Each with its sign, and whether some variant has it.
     all: Vec<(Expr, Ordering, bool)>,
+    /// Where each stands among them: a range may have a hundred thousand.
+    places: HashMap<Expr, usize>,
 }
 
 impl Values<'_> {
@@ -49,7 +52,8 @@ impl Values<'_> {
         for index in 0..written {
             let value = domain.value(index);
             let sign = number(&value, &|_| None).ok().and_then(|value| value.sign());
-            let Some(sign) = sign.filter(|_| !self.all.iter().any(|(known, ..)| *known == value)) else { continue };
+            let Some(sign) = sign.filter(|_| !self.places.contains_key(&value)) else { continue };
+            self.places.insert(value.clone(), self.all.len());
             self.all.push((value, sign, false));
         }
         let mut is_printed = vec![false; domain.size() as usize];
@@ -57,8 +61,9 @@ impl Values<'_> {
             is_printed[(set / stride % domain.size()) as usize] = true;
         }
         for (index, _) in is_printed.into_iter().enumerate().filter(|(_, is_printed)| *is_printed) {
-            let value = domain.value(index as u64);
-            self.all.iter_mut().filter(|(known, ..)| *known == value).for_each(|(.., printed)| *printed = true);
+            if let Some(place) = self.places.get(&domain.value(index as u64)) {
+                self.all[*place].2 = true;
+            }
         }
     }
 
