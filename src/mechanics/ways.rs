@@ -46,10 +46,14 @@ pub(super) fn of_both_ways(scene: &Scene, found: [Result<Vec<Found>, Refusal>; 2
         return Err(refusals.swap_remove(0));
     }
     for one in &mut all {
-        // The line of centres has no sense again, and what was found in the place of letters.
+        // The line of centres has no sense again, and what was found in the place of letters that are not left.
         let (letters, values): (Vec<Letter>, Vec<Value>) = one.values.iter().cloned().unzip();
-        if let Some(there) = substituted(scene, &letters, &values) {
-            Arc::make_mut(&mut one.scene).contact = there.contact;
+        let contact = match one.are_left {
+            true => Some(scene.contact.clone()),
+            false => substituted(scene, &letters, &values).map(|there| there.contact),
+        };
+        if let Some(contact) = contact {
+            Arc::make_mut(&mut one.scene).contact = contact;
         }
         let open = refusals.iter().filter(|refusal| refusal.because != Because::Impossible);
         one.remarks

@@ -93,6 +93,20 @@ fn what_follows_from_a_long_value_is_found_in_its_letter() {
     }
 }
 
+#[test]
+fn no_more_work_is_done_where_it_is_open_which_way_the_line_of_centres_goes() {
+    for (case, is_mass, condition, solutions) in cases() {
+        let mut scene = case.scene(is_mass, condition);
+        scene.as_object_mut().unwrap().remove("sense");
+        let scene = read(&scene);
+        steps_taken();
+        let all = solve_all(&scene, &scene.quantities()).unwrap();
+        let steps = steps_taken();
+        assert!(steps < 2 * MOST_STEPS, "{condition}: {steps}");
+        assert_eq!(all.len(), solutions, "{condition}");
+    }
+}
+
 /// Four times what the longest of them takes.
 const MOST_STEPS: u64 = 500_000;
 
